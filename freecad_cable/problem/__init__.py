@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The statement of a cable problem: frozen, checked, in SI units. NumPy only.
+
+Every class refuses values that mean nothing with a ``ProblemError`` that names the field in the words of
+the scene file. What needs more than one field (a cable shorter than its chord, ends that hold nothing) is
+checked by ``Scene``.
+"""
+
+from .ends import Clamped, End, Free, Pinned, Swivel
+from .rod import Rod, round_section
+from .scene import Scene
+
+__all__ = ["Clamped", "End", "Free", "Pinned", "Rod", "Scene", "Swivel", "round_section"]

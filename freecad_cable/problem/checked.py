@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Numbers and vectors from outside, checked. Every reader of a statement goes through these."""
+
+import math
+
+import numpy as np
+
+from ..errors import ProblemError
+
+
+def number(field, value, *, above=None, at_least=None, unit=""):
+    """``value`` as a finite float within the bound; else ``ProblemError`` naming field, value and bound."""
+    unit = f" {unit}" if unit else ""
+    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)):
+        raise ProblemError(field, f"is {value!r}; it must be a number{unit and f' in{unit}'}")
+    value = float(value)
+    if not math.isfinite(value):
+        raise ProblemError(field, f"is {value}; it must be a finite number")
+    if above is not None and not value > above:
+        raise ProblemError(field, f"is {value:g}{unit}; it must be greater than {above:g}{unit}")
+    if at_least is not None and not value >= at_least:
+        raise ProblemError(field, f"is {value:g}{unit}; it must be at least {at_least:g}{unit}")
+    return value
+
+
+def vector(field, value, size=3):
+    """``value`` as a read-only array of ``size`` finite floats."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if not isinstance(value, (list, tuple)) or len(value) != size:
+        raise ProblemError(field, f"is {value!r}; it must be a list of {size} numbers")
+    array = np.array([number(f"{field}[{i}]", item) for i, item in enumerate(value)])
+    array.flags.writeable = False
+    return array
+
+
+def direction(field, value, size=3):
+    """``value`` as a unit vector (or, with size 4, a unit quaternion); it must not vanish."""
+    array = vector(field, value, size)
+    norm = np.linalg.norm(array / max(np.abs(array).max(), 1e-300)) * np.abs(array).max()
+    if not norm > 1e-9:
+        raise ProblemError(field, f"is {value!r}; its length is zero, so it gives no direction")
+    array = array / norm
+    array.flags.writeable = False
+    return array

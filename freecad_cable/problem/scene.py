@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The whole statement: a rod, what holds it, what is around it."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..errors import ProblemError
+from ..options import SolveOptions
+from .checked import number, vector
+from .ends import End, Free, Pinned
+from .rod import Rod
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Scene:
+    """A cable problem. Errors: ``ProblemError`` for values that contradict each other."""
+
+    rod: Rod
+    start: End
+    end: End
+    gravity: np.ndarray = field(default=(0.0, 0.0, -9.81))
+    """(3,) [m/s²]"""
+    supports: tuple = ()
+    """in order along the cable"""
+    obstacles: tuple = ()
+    clearance: float = 0.0
+    """[m], between the surface of the cable and obstacles"""
+    options: SolveOptions = SolveOptions()
+
+    def __post_init__(self):
+        object.__setattr__(self, "gravity", vector("gravity", self.gravity))
+        number("clearance", self.clearance, at_least=0, unit="m")
+        self._check_held()
+        self._check_length()
+
+    def _check_held(self):
+        held = [end for end in (self.start, self.end) if not isinstance(end, Free)]
+        if not held and not self.supports:
+            raise ProblemError("end", "both ends are free, so nothing holds the cable; hold one of them")
+        if len(held) == 1 and held[0].kind == "pinned" and not self.supports:
+            if not self.gravity.any() or self.rod.mass_per_length == 0:
+                raise ProblemError(
+                    held[0].place,
+                    "pinned, the other end free and no weight: the cable can turn freely; "
+                    "clamp this end or hold the other",
+                )
+
+    def _check_length(self):
+        if not (isinstance(self.start, Pinned) and isinstance(self.end, Pinned)):
+            return
+        chord = self.chord
+        if self.rod.axial_stiffness is None and self.rod.length < chord:
+            raise ProblemError(
+                "cable.length",
+                f"is {self.rod.length:.6g} m, but the ends are {chord:.6g} m apart; "
+                f"the shortest possible length is {chord:.6g} m",
+            )
+
+    @property
+    def chord(self) -> float:
+        """Distance between the ends [m]; both must hold a position."""
+        return float(np.linalg.norm(self.end.position - self.start.position))
+
+    @property
+    def weight(self) -> np.ndarray:
+        """(3,) weight per unstretched length [N/m]."""
+        return self.rod.mass_per_length * self.gravity

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The solution of a scene: plain arrays in SI units, world frame unless said otherwise."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..errors import SolveError
+from ..problem import Scene
+from ..status import Status
+
+
+@dataclass(frozen=True)
+class Load:
+    """A force (3,) [N] and a moment (3,) [N m] about the point where they act."""
+
+    force: np.ndarray
+    moment: np.ndarray
+
+
+@dataclass(frozen=True)
+class Energy:
+    """[J]; gravity is measured along −gravity from the start point."""
+
+    bending: float
+    torsion: float
+    stretch: float
+    gravity: float
+
+    @property
+    def total(self) -> float:
+        return self.bending + self.torsion + self.stretch + self.gravity
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Solution:
+    """An equilibrium of a scene, or the reason why there is none.
+
+    The arrays are None if nothing was found. n is the number of elements.
+    """
+
+    scene: Scene
+    status: Status
+    message: str
+
+    arc_length: np.ndarray | None = None
+    """(n+1,) unstretched arc length of the nodes [m]"""
+    position: np.ndarray | None = None
+    """(n+1, 3) [m]"""
+    quaternion: np.ndarray | None = None
+    """(n+1, 4) scalar first, sign-continuous; R(q) e_i = d_i, d3 the tangent"""
+    force: np.ndarray | None = None
+    """(n+1, 3) internal force: what the part beyond the node exerts on the part before it [N]"""
+    moment: np.ndarray | None = None
+    """(n+1, 3) internal moment, same sense [N m]"""
+    curvature: np.ndarray | None = None
+    """(n+1, 3) κ1, κ2 and twist at the nodes, material frame [1/m]"""
+
+    energy: Energy | None = None
+    start_reaction: Load | None = None
+    """what the connector at the start exerts on the cable"""
+    end_reaction: Load | None = None
+    support_reactions: tuple[Load, ...] = ()
+    min_bend_radius: tuple[float, float] | None = None
+    """smallest bend radius of the centreline [m] and the arc length where it is [m]"""
+    contacts: tuple = ()
+    min_clearance: float | None = None
+    stable: bool | None = None
+    """whether the second variation of the energy is positive; None if not known"""
+    position_error: float | None = None
+    """estimate of the largest position error of a node [m]"""
+    balance: "tuple[float, float] | None" = None
+    """residual of force and moment balance in strong form, recomputed from the nodes; see result.balance"""
+
+    left_out: tuple[str, ...] = ()
+    """what the model left out, and why, as sentences"""
+    kept: tuple[str, ...] = ()
+    solver: dict = field(default_factory=dict)
+    """name, scheme, elements, iterations, build_time [s], solve_time [s]"""
+
+    def raise_for_status(self) -> "Solution":
+        """Itself when the shape may be used; else ``SolveError``."""
+        if not self.status.success:
+            raise SolveError(self)
+        return self
