@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What was found: the solution, checked independently of how it was found. NumPy only."""
+"""What was found: the solution, checked independently of how it was found. NumPy and SciPy."""
 
+from .balance import Balance, balance
+from .bend import smallest_bend_radius
 from .solution import Energy, Load, Solution
 
-__all__ = ["Energy", "Load", "Solution"]
+__all__ = ["Balance", "Energy", "Load", "Solution", "balance", "smallest_bend_radius"]

@@ -8,6 +8,7 @@ import numpy as np
 from ..errors import SolveError
 from ..problem import Scene
 from ..status import Status
+from .balance import Balance
 
 
 @dataclass(frozen=True)
@@ -69,8 +70,8 @@ class Solution:
     """whether the second variation of the energy is positive; None if not known"""
     position_error: float | None = None
     """estimate of the largest position error of a node [m]"""
-    balance: "tuple[float, float] | None" = None
-    """residual of force and moment balance in strong form, recomputed from the nodes; see result.balance"""
+    balance: Balance | None = None
+    """residuals of the equations of equilibrium, recomputed from the nodes alone"""
 
     left_out: tuple[str, ...] = ()
     """what the model left out, and why, as sentences"""

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The front door of the core: a scene in, its equilibrium out."""
+
+import numpy as np
+
+from .errors import SolverMissingError
+from .geometry import rotation
+from .problem import Pinned, Scene
+from .problem.reduce import Model, reduce
+from .result import Energy, Load, Solution, balance, smallest_bend_radius
+from .status import Status
+
+NO_SLACK = 1e-7
+"""Slack, relative to the length, below which an inextensible cable has no finite tension that a
+computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
+
+
+def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution:
+    """The stable equilibrium of a scene, to the tolerance of its options.
+
+    ``start``, the solution of a similar scene, keeps the branch that the cable is on and is quicker.
+    Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi.
+    """
+    model = reduce(scene)
+    if (sentence := _without_slack(scene)) is not None:
+        return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)
+    try:
+        from .solve.search import find
+        from .solve.trial import Problem, TimeUpError
+    except ImportError as error:
+        if error.name and error.name.split(".")[0] != "casadi":
+            raise
+        raise SolverMissingError(
+            "CasADi is not installed, so no cable can be solved; what was solved before can still be seen. "
+            "Install it with: python3 -m pip install --no-deps casadi"
+        ) from error
+    problem = Problem.of(scene, model)
+    try:
+        trial = find(problem, None if start is None else _nodes(start, problem.scaling))
+    except TimeUpError:
+        message = f"{Status.TIME_LIMIT.value} It is {scene.options.time_limit:g} s."
+        return Solution(scene=scene, status=Status.TIME_LIMIT, message=message)
+    if trial is None:
+        return Solution(
+            scene=scene,
+            status=Status.NOT_CONVERGED,
+            message=f"{Status.NOT_CONVERGED.value} {_advice(scene)}",
+            solver=_effort(problem, None),
+        )
+    return _solution(problem, trial, model)
+
+
+def _without_slack(scene):
+    rod = scene.rod
+    if rod.axial_stiffness is not None:
+        return None
+    if not (isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)):
+        return None
+    slack = 1 - scene.chord / rod.length
+    if slack >= NO_SLACK:
+        return None
+    return (
+        f"cable.length: is {rod.length:.9g} m and the ends are {scene.chord:.9g} m apart, which leaves no "
+        f"slack; an inextensible cable needs at least {scene.chord * (1 + 1e-5):.9g} m, or give it an axial stiffness"
+    )
+
+
+def _advice(scene):
+    if isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned):
+        ratio = scene.rod.length / max(scene.chord, 1e-12)
+        if ratio < 1.001:
+            return f"Its length is only {100 * (ratio - 1):.3g} % above the chord; give it more slack."
+    return "Check lengths, stiffness and mass for a wrong unit; a different length may be easier."
+
+
+def _nodes(solution, scaling):
+    """The nodes of an earlier solution, without units, as a start for this one."""
+    from .transcription.shape import Shape
+
+    if solution.position is None:
+        return None
+    span = solution.arc_length[-1]
+    curvature = np.hstack([solution.curvature * span, np.zeros_like(solution.curvature)])
+    return Shape(
+        solution.arc_length / span,
+        scaling.point(solution.position),
+        rotation.continuous(solution.quaternion),
+        curvature,
+        solution.force / scaling.force,
+        solution.moment / scaling.energy,
+    )
+
+
+def _solution(problem, trial, model: Model) -> Solution:
+    scene, scaling, shape = problem.scene, problem.scaling, trial.shape
+    rod, length = scene.rod, scaling.length
+    arc_length = shape.arc_length * length
+    position = scaling.origin + shape.position * length
+    force, moment = shape.force * scaling.force, shape.moment * scaling.energy
+    curvature = shape.strain[:, :3] / length
+    status, message = _verdict(scene, trial)
+    return Solution(
+        scene=scene,
+        status=status,
+        message=message,
+        arc_length=arc_length,
+        position=position,
+        quaternion=shape.quaternion,
+        force=force,
+        moment=moment,
+        curvature=curvature,
+        energy=_energy(problem, trial),
+        start_reaction=Load(-force[0], -moment[0]),
+        end_reaction=Load(force[-1], moment[-1]),
+        min_bend_radius=smallest_bend_radius(arc_length, curvature),
+        stable=trial.stable,
+        position_error=trial.error * length,
+        balance=balance(rod, scene.weight, arc_length, position, shape.quaternion, force),
+        left_out=model.left_out,
+        kept=model.kept,
+        solver=_effort(problem, trial),
+    )
+
+
+def _energy(problem, trial):
+    """In joules. The program measures gravity from its origin, which is the start unless that is free."""
+    scaling = problem.scaling
+    bending, torsion, stretch, gravity = (float(e) for e in trial.energies * scaling.energy)
+    weight = problem.scene.weight * scaling.length
+    gravity += float(weight @ trial.shape.position[0]) * scaling.length
+    return Energy(bending, torsion, stretch, gravity)
+
+
+def _verdict(scene, trial):
+    if not trial.stable:
+        return Status.UNSTABLE, Status.UNSTABLE.value
+    tolerance = scene.options.tolerance
+    if trial.error > tolerance:
+        message = (
+            f"{Status.INACCURATE.value} The position error is estimated at {trial.error:.1g} of the length, "
+            f"{tolerance:g} was asked for; "
+        )
+        chosen = scene.options.elements is not None
+        return Status.INACCURATE, message + (
+            "leave options.elements out or raise it." if chosen else "the mesh is as fine as it may be."
+        )
+    return Status.CONVERGED, Status.CONVERGED.value
+
+
+def _effort(problem, trial):
+    return {
+        "name": None if trial is None else trial.raw.solver,
+        "scheme": problem.scheme,
+        "elements": None if trial is None else len(trial.shape.steps),
+        "iterations": problem.iterations,
+        "build_time": problem.build_time,
+        "solve_time": problem.solve_time,
+    }

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rotations as unit quaternions (Euler parameters), scalar first, vectorised over leading axes.
+
+R(q) e_i = d_i: the columns of the rotation matrix are the axes of the rotated frame. ``multiply(a, b)``
+turns by b in the frame of a. Formulas: Shoemake, "Animating rotation with quaternion curves", 1985;
+exponential series where a closed form divides by zero.
+"""
+
+import numpy as np
+
+
+def multiply(a, b):
+    """Quaternion product a ∘ b, (..., 4)."""
+    a, b = np.asarray(a, float), np.asarray(b, float)
+    aw, av = a[..., :1], a[..., 1:]
+    bw, bv = b[..., :1], b[..., 1:]
+    w = aw * bw - np.sum(av * bv, axis=-1, keepdims=True)
+    return np.concatenate([w, aw * bv + bw * av + np.cross(av, bv)], axis=-1)
+
+
+def conjugate(q):
+    """Inverse of a unit quaternion, (..., 4)."""
+    return np.asarray(q, float) * (1.0, -1.0, -1.0, -1.0)
+
+
+def matrix(q):
+    """Rotation matrices (..., 3, 3) of unit quaternions (..., 4)."""
+    w, x, y, z = np.moveaxis(np.asarray(q, float), -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def rotate(q, v):
+    """Vectors v (..., 3) of the rotated frame, in the outer frame."""
+    return np.einsum("...ij,...j->...i", matrix(q), np.asarray(v, float))
+
+
+def tangent(q):
+    """Third axes d3 of the frames, (..., 3)."""
+    return matrix(q)[..., :, 2]
+
+
+def exponential(theta):
+    """Unit quaternions (..., 4) of rotation vectors (..., 3) [rad]."""
+    theta = np.asarray(theta, float)
+    half = np.linalg.norm(theta, axis=-1, keepdims=True) / 2
+    return np.concatenate([np.cos(half), np.sinc(half / np.pi) * theta / 2], axis=-1)
+
+
+def logarithm(q):
+    """Rotation vectors (..., 3) [rad], of at most half a turn, of unit quaternions (..., 4)."""
+    q = np.asarray(q, float)
+    q = np.where(q[..., :1] < 0, -q, q)
+    sine = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
+    half = np.arctan2(sine, q[..., :1])
+    return q[..., 1:] * 2 / np.sinc(half / np.pi)
+
+
+def from_tangent(t):
+    """A quaternion (4,) whose d3 is the unit vector t (3,); its roll is arbitrary but deterministic."""
+    t = np.asarray(t, float)
+    if t[2] < -0.999999:
+        return np.array([0.0, 1.0, 0.0, 0.0])
+    q = np.array([1 + t[2], -t[1], t[0], 0.0])
+    return q / np.linalg.norm(q)
+
+
+def shortest_arc(a, b):
+    """The least rotation (4,) that turns unit vector a into unit vector b; any axis if they are opposite."""
+    a, b = np.asarray(a, float), np.asarray(b, float)
+    w = 1 + a @ b
+    if w < 1e-9:
+        axis = np.cross(a, np.eye(3)[np.argmin(np.abs(a))])
+        return np.append(0.0, axis / np.linalg.norm(axis))
+    q = np.append(w, np.cross(a, b))
+    return q / np.linalg.norm(q)
+
+
+def transport(q0, tangents):
+    """Carry the frame q0 (4,) along unit tangents (m, 3) without twist → (m, 4), sign-continuous.
+
+    Step-wise least rotations, which is parallel transport to second order in the step.
+    """
+    frames = [multiply(shortest_arc(tangent(q0), tangents[0]), q0)]
+    for a, b in zip(tangents[:-1], tangents[1:], strict=True):
+        frames.append(multiply(shortest_arc(a, b), frames[-1]))
+    return continuous(np.array(frames))
+
+
+def continuous(q):
+    """The same frames (m, 4), signs chosen so that neighbours are near each other."""
+    q = np.array(q, float)
+    flips = np.sum(q[1:] * q[:-1], axis=-1) < 0
+    q[1:][np.cumsum(flips) % 2 == 1] *= -1
+    return q

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a scene does not need, decided before it is solved, and said in words."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry import rotation
+from .ends import Clamped, Swivel
+from .scene import Scene
+
+SHEAR, STRETCH = (3, 4), (5,)
+
+
+@dataclass(frozen=True)
+class Model:
+    """What of the rod is computed. ``strains`` indexes (κ1, κ2, τ, γ1, γ2, ε)."""
+
+    strains: tuple[int, ...]
+    left_out: tuple[str, ...]
+    kept: tuple[str, ...]
+
+    @property
+    def twist(self) -> bool:
+        return 2 in self.strains
+
+
+def reduce(scene: Scene) -> Model:
+    """Decide what the model keeps. Each sentence says what was left out and why that is exact."""
+    rod = scene.rod
+    strains, left_out, kept = [0, 1], [], ["bending in two directions"]
+
+    twisting_ends = isinstance(scene.start, Clamped) and isinstance(scene.end, Clamped)
+    if twisting_ends or not rod.isotropic:
+        strains.append(2)
+        kept.append("torsion")
+    else:
+        loose = "start" if not isinstance(scene.start, Clamped) else "end"
+        left_out.append(
+            f"torsion: the {loose} is free to twist and the cable bends alike in all directions, "
+            "so it carries no torque (exact)"
+        )
+    if scene.weight.any():
+        kept.append("gravity")
+    else:
+        left_out.append("gravity: there is none, or the cable has no mass (exact)")
+    for stiffness, indices, name in (
+        (rod.shear_stiffness, SHEAR, "shear"),
+        (rod.axial_stiffness, STRETCH, "stretch"),
+    ):
+        if stiffness is None:
+            left_out.append(f"{name}: no stiffness is given, so the cable is taken as rigid in {name}")
+        else:
+            strains.extend(indices)
+            kept.append(name)
+    return Model(tuple(strains), tuple(left_out), tuple(kept))
+
+
+def orientation(end) -> np.ndarray | None:
+    """Unit tangent (3,) that an end prescribes, or None."""
+    if isinstance(end, Clamped):
+        return rotation.tangent(end.quaternion)
+    return end.tangent if isinstance(end, Swivel) else None

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scene file, schema 1: a scene as plain JSON data, in SI units.
+
+Reading is strict: an unknown field is an error, so that a misspelt one is not silently ignored.
+"""
+
+from ..errors import NotYetError, ProblemError
+from ..options import SolveOptions
+from .checked import number, vector
+from .ends import Clamped, Free, Pinned, Swivel
+from .rod import Rod
+from .scene import Scene
+
+SCHEMA = 1
+ENDS = {"clamped": Clamped, "swivel": Swivel, "pinned": Pinned, "free": Free}
+END_FIELDS = {
+    "clamped": ("position", "quaternion"),
+    "swivel": ("position", "tangent"),
+    "pinned": ("position",),
+    "free": (),
+}
+SUPPORT_FIELDS = {
+    "clamp": ("position", "quaternion"),
+    "sleeve": ("position", "tangent"),
+    "ring": ("position", "axis", "radius"),
+    "clip": ("position", "tangent"),
+}
+OBSTACLE_FIELDS = {
+    "half_space": ("point", "normal"),
+    "sphere": ("center", "radius"),
+    "cylinder": ("start", "end", "radius"),
+    "box": ("position", "quaternion", "size"),
+    "mesh": ("vertices", "triangles"),
+}
+CABLE_REQUIRED = ("radius", "mass_per_length", "bending_stiffness", "torsional_stiffness")
+CABLE_OPTIONAL = ("axial_stiffness", "shear_stiffness", "natural_curvature", "min_bend_radius")
+
+
+def read_scene(data) -> Scene:
+    """Scene of parsed JSON. Errors: ``ProblemError`` naming the field."""
+    fields = _fields(
+        "scene",
+        data,
+        required=("schema", "cable", "start", "end"),
+        optional=("gravity", "supports", "obstacles", "clearance", "options"),
+    )
+    if fields["schema"] != SCHEMA or isinstance(fields["schema"], bool):
+        raise ProblemError("schema", f"is {fields['schema']!r}; this version reads schema {SCHEMA}")
+    supports = _kinds("supports", fields.get("supports", []), SUPPORT_FIELDS, ("arc_length",))
+    obstacles = _kinds("obstacles", fields.get("obstacles", []), OBSTACLE_FIELDS, ())
+    start, end = (_end(place, fields[place]) for place in ("start", "end"))
+    for name, found in (("supports", supports), ("obstacles", obstacles)):
+        if found:
+            raise NotYetError(name, "are read but not yet solved by this version; leave them out")
+    gravity = fields.get("gravity", [0, 0, -9.81])
+    clearance = fields.get("clearance", 0.0)
+    return Scene(
+        rod=_rod(fields["cable"], start, end),
+        start=start,
+        end=end,
+        gravity=vector("gravity", gravity),
+        clearance=number("clearance", clearance, at_least=0, unit="m"),
+        options=_options(fields.get("options", {})),
+    )
+
+
+def _rod(data, start, end) -> Rod:
+    fields = _fields(
+        "cable",
+        data,
+        required=CABLE_REQUIRED,
+        optional=("length", "length_mode", *CABLE_OPTIONAL),
+    )
+    given = {name: fields[name] for name in CABLE_REQUIRED}
+    given |= {name: fields[name] for name in CABLE_OPTIONAL if fields.get(name) is not None}
+    return Rod(length=_length(fields, start, end), **given)
+
+
+def _length(fields, start, end) -> float:
+    mode = fields.get("length_mode")
+    if (mode is None) == (fields.get("length") is None):
+        raise ProblemError("cable.length", "give either length or length_mode, and not both")
+    if mode is None:
+        return number("cable.length", fields["length"], above=0, unit="m")
+    if not isinstance(mode, dict):
+        raise ProblemError("cable.length_mode", f"is {mode!r}; it must be an object with a kind")
+    kind = mode.get("kind")
+    if kind == "shortest":
+        raise NotYetError("cable.length_mode", "shortest is not yet solved by this version")
+    if kind != "slack":
+        raise ProblemError("cable.length_mode.kind", f"is {kind!r}; it must be slack or shortest")
+    place = "cable.length_mode"
+    slack = number(
+        f"{place}.value", _fields(place, mode, ("kind", "value"), ())["value"], at_least=0
+    )
+    if not (isinstance(start, Pinned) and isinstance(end, Pinned)):
+        raise ProblemError(place, "slack needs both ends held at a position; give a length")
+    from numpy.linalg import norm
+
+    chord = float(norm(end.position - start.position))
+    if chord == 0:
+        raise ProblemError(place, "the ends are at the same point, so slack has no base; give a length")
+    return chord * (1 + slack)
+
+
+def _end(place, data):
+    kind = _kind(place, data, END_FIELDS)
+    fields = _fields(place, data, ("kind", *END_FIELDS[kind]), ())
+    return ENDS[kind](*(fields[name] for name in END_FIELDS[kind]), place=place)
+
+
+def _options(data) -> SolveOptions:
+    fields = _fields("options", data, (), ("tolerance", "solver", "scheme", "elements", "time_limit"))
+    given = {name: value for name, value in fields.items() if value is not None}
+    for name in ("tolerance", "time_limit"):
+        if name in given:
+            given[name] = number(f"options.{name}", given[name], above=0)
+    elements = given.get("elements")
+    if elements is not None and (isinstance(elements, bool) or not isinstance(elements, int)):
+        raise ProblemError("options.elements", f"is {elements!r}; it must be a whole number or null")
+    return SolveOptions(**given)
+
+
+def _kinds(place, data, kinds, optional):
+    """Check a list of objects with a kind each; (kind, fields) of each."""
+    if not isinstance(data, list):
+        raise ProblemError(place, f"is {data!r}; it must be a list")
+    found = []
+    for i, item in enumerate(data):
+        where = f"{place}[{i}]"
+        kind = _kind(where, item, kinds)
+        found.append((kind, _fields(where, item, ("kind", *kinds[kind]), optional)))
+    return found
+
+
+def _kind(place, data, kinds):
+    if not isinstance(data, dict):
+        raise ProblemError(place, f"is {data!r}; it must be an object with a kind")
+    kind = data.get("kind")
+    if not isinstance(kind, str) or kind not in kinds:
+        raise ProblemError(f"{place}.kind", f"is {kind!r}; it must be one of {', '.join(kinds)}")
+    return kind
+
+
+def _fields(place, data, required, optional):
+    """``data`` as a dict with all required and no unknown fields."""
+    if not isinstance(data, dict):
+        raise ProblemError(place, f"is {data!r}; it must be an object")
+    for name in required:
+        if name not in data:
+            raise ProblemError(f"{place}.{name}" if place != "scene" else name, "is missing")
+    for name in data:
+        if name not in required and name not in optional:
+            raise ProblemError(
+                f"{place}.{name}" if place != "scene" else str(name),
+                f"is not known here; known are {', '.join((*required, *optional))}",
+            )
+    return data

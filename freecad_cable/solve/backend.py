@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CasADi's interior-point solvers: fatrop (structured, Riccati) and ipopt (general, MUMPS).
+
+The only file that spells a solver's options or return strings.
+"""
+
+import time
+from dataclasses import dataclass
+from functools import lru_cache
+
+import casadi as ca
+import numpy as np
+
+from ..transcription.nlp import Nlp, build
+from ..transcription.structure import Structure
+
+TOLERANCE = 1e-9
+"""On the scaled optimality conditions. Far below the discretisation error of any mesh used here (1e-8 at
+best), far above rounding in the multipliers of a taut cable (1e-16 × 1e5)."""
+ITERATIONS = 300
+
+
+@dataclass(frozen=True)
+class RawSolution:
+    """What a back end says: decision vector, multipliers of the rows, success, iterations, time [s]."""
+
+    x: np.ndarray
+    multipliers: np.ndarray
+    success: bool
+    iterations: int
+    time: float
+    solver: str
+
+
+def available(name: str) -> bool:
+    """Whether this CasADi has the plug-in."""
+    return ca.has_nlpsol(name)
+
+
+@lru_cache(maxsize=128)
+def built(structure: Structure, name: str):
+    """Solver of a structure; the same one for every scene that shares it."""
+    nlp = build(structure)
+    options = {"print_time": False, "record_time": True, "error_on_fail": False}
+    if name == "fatrop":
+        nx, nu, ng = (list(column) for column in zip(*nlp.stage_sizes, strict=True))
+        options |= {
+            "structure_detection": "manual",
+            "N": structure.elements,
+            "nx": nx,
+            "nu": nu,
+            "ng": ng,
+            "equality": list(nlp.equality),
+            "fatrop": {"print_level": 0, "tol": TOLERANCE, "max_iter": ITERATIONS},
+        }
+    else:
+        options["ipopt"] = {
+            "print_level": 0,
+            "sb": "yes",
+            "tol": TOLERANCE,
+            "max_iter": ITERATIONS,
+        }
+    program = {"x": nlp.x, "g": nlp.g, "f": nlp.f, "p": nlp.p}
+    return ca.nlpsol(f"rod_{name}", name, program, options)
+
+
+def first_use(structure: Structure, name: str) -> float:
+    """Make the solver if it is not there yet; the time this took [s]."""
+    begin = time.perf_counter()
+    built(structure, name)
+    return time.perf_counter() - begin
+
+
+def minimise(nlp: Nlp, name: str, x0, parameters, multipliers) -> RawSolution:
+    """Solve from ``x0`` and multipliers (both warm or both cold)."""
+    solver = built(nlp.structure, name)
+    upper = np.where(nlp.equality, 0.0, np.inf)
+    begin = time.perf_counter()
+    answer = solver(x0=x0, lam_g0=multipliers, p=parameters, lbg=0.0, ubg=upper)
+    elapsed = time.perf_counter() - begin
+    stats = solver.stats()
+    x = answer["x"].full().ravel()
+    return RawSolution(
+        x=x,
+        multipliers=answer["lam_g"].full().ravel(),
+        success=bool(stats["success"]) and bool(np.isfinite(x).all()),
+        iterations=int(stats["iter_count"]),
+        time=elapsed,
+        solver=name,
+    )

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the nodes go: many where the rod bends sharply, few where it does not."""
+
+import numpy as np
+from scipy.integrate import trapezoid
+
+from ..geometry.curves import catenary
+from ..problem import Clamped, Pinned, Swivel
+
+COARSE = 32
+"""Elements of a first mesh: Table 1 of the seed paper is then within 1e-5 L with the scheme of order 4."""
+FINEST = 800
+"""More elements than this are not tried."""
+QUANTUM = 8
+"""Element counts are multiples of this, so that built solvers find reuse."""
+
+
+def uniform(elements) -> np.ndarray:
+    """(n+1,) arc lengths"""
+    return np.linspace(0, 1, elements + 1)
+
+
+def graded(elements, layers) -> np.ndarray:
+    """(n+1,) arc lengths, half of the elements within about three layer widths of the ends.
+
+    ``layers``: width of the bending layer at start and end, relative to the length; None where there is none.
+    """
+    s = np.linspace(0, 1, 4001)
+    density = np.ones_like(s)
+    for width, distance in zip(layers, (s, 1 - s), strict=True):
+        if width is not None:
+            layer = np.exp(-distance / (2 * width))
+            density += layer / trapezoid(layer, s)
+    return _equidistributed(s, density, elements)
+
+
+def layers(scene, scaling, load=1.0):
+    """Widths √(EI/T) of the bending layers at ends that hold a tangent, from the tension of the catenary."""
+    if not scene.weight.any():
+        return None, None
+    weight = load * float(np.linalg.norm(scene.weight))
+    bending = float(np.sqrt(np.prod(scene.rod.bending_stiffness)))
+    tensions = _tensions(scene, weight)
+    found = []
+    for end, tension in zip((scene.start, scene.end), tensions, strict=True):
+        holds = isinstance(end, (Clamped, Swivel))
+        width = np.sqrt(bending / tension) / scaling.length if holds and tension > 0 else 1.0
+        found.append(width if width < 0.1 else None)
+    return tuple(found)
+
+
+def _tensions(scene, weight):
+    length = scene.rod.length
+    if not (isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)):
+        return weight * length, weight * length
+    a, b = scene.start.position, scene.end.position
+    curve = catenary(a, b, max(length, scene.chord * (1 + 1e-9)), scene.gravity)
+    down = scene.gravity / np.linalg.norm(scene.gravity)
+    sine = curve.tangent @ down
+    # Of a catenary the horizontal tension H is w times (tan at one end + tan at the other) per length.
+    cosine = np.sqrt(np.maximum(1 - sine**2, 1e-18))
+    slope = sine / cosine
+    spread = abs(slope[0] - slope[-1])
+    horizontal = weight * length / max(spread, 1e-9)
+    return horizontal / cosine[0], horizontal / cosine[-1]
+
+
+def refined(shape, defects, order, elements) -> np.ndarray:
+    """(n+1,) arc lengths that spread the elements' defects (n, 12) evenly over ``elements``.
+
+    An element's defect is C h^(order+1); equal defects want a density of C^(1/(order+1)).
+    """
+    size = np.linalg.norm(defects, axis=1)
+    size = np.maximum(size, 1e-3 * size.max() + 1e-300)
+    # Neighbours share their largest defect, so that a sharp place stays inside its fine elements.
+    padded = np.pad(size, 1, mode="edge")
+    size = np.max([padded[:-2], padded[1:-1], padded[2:]], axis=0)
+    density = size ** (1 / (order + 1)) / shape.steps
+    s = np.concatenate([shape.arc_length[:-1, None], shape.arc_length[1:, None]], axis=1).ravel()
+    return _equidistributed(s, np.repeat(density, 2), elements)
+
+
+def rounded(elements) -> int:
+    return int(min(FINEST, QUANTUM * np.ceil(elements / QUANTUM)))
+
+
+def _equidistributed(s, density, elements):
+    cumulative = np.concatenate(
+        [[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))]
+    )
+    # A floor on the density keeps the largest element at most four times the average.
+    cumulative = cumulative / cumulative[-1] + s / 3
+    nodes = np.interp(np.linspace(0, cumulative[-1], elements + 1), cumulative, s)
+    nodes[0], nodes[-1] = 0.0, 1.0
+    return nodes

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a problem to a stable equilibrium on a mesh that is fine enough.
+
+Plain attempts first, dearer ones only when they fail: a warm or a guessed start; continuation in weight and in
+the distance of the ends; starts that send the slack elsewhere. Then off any saddle, then refinement.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..problem import Pinned
+from ..transcription.guess import guess, roll_mismatch
+from ..transcription.nlp import SCHEMES
+from ..transcription.shape import Shape
+from . import mesh
+from .trial import Problem, Trial
+
+GARBAGE = 0.02
+"""Error estimate, relative to the length, above which a coarse answer says nothing about the true one."""
+HEAVY = 3e3
+"""Weight ratio above which a cold start is wasted time (measured: from here it needs over 100 iterations or
+fails) and continuation in weight is the first thing to try."""
+LIGHT = 100.0
+"""Weight ratio with which continuation begins."""
+TAUT = 0.97
+"""Distance of the ends, relative to the length, with which continuation begins."""
+DOUBTFUL_ROLL = 2.0
+"""Twist [rad] of a guess beyond which the other way round may cost less (at π they are alike)."""
+
+
+def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
+    """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
+    elements = problem.scene.options.elements
+    first = mesh.uniform(elements or mesh.COARSE)
+    found = None
+    if warm is not None:
+        found = problem.solve(warm.on(warm.arc_length if elements is None else first))
+        if found is not None and not found.stable:
+            found = None
+    if found is None:
+        for trial in _attempts(problem, first):
+            trial = _off_saddle(problem, trial)
+            if found is None or _better(trial, found):
+                found = trial
+            if found.stable and found.error < GARBAGE:
+                break
+    if found is None or elements is not None:
+        return found
+    return _refined(problem, found)
+
+
+def _better(trial, other):
+    """Resolved before unresolved, stable before unstable, then the lower energy."""
+    rank = lambda t: (t.error > GARBAGE, not t.stable, t.energy)  # noqa: E731
+    return rank(trial) < rank(other)
+
+
+def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
+    """Converged trials, cheapest first, made as they are asked for."""
+    ratio = problem.scaling.weight_ratio
+    if ratio < HEAVY:
+        yield from _direct(problem, arc_length)
+    yield from _continued(problem, len(arc_length) - 1)
+    if ratio >= HEAVY:
+        yield from _direct(problem, arc_length)
+    yield from _elsewhere(problem, arc_length)
+
+
+def _direct(problem, arc_length):
+    start = guess(problem.scene, problem.scaling, arc_length)
+    trials = [problem.solve(start)]
+    if problem.model.twist:
+        roll = roll_mismatch(problem.scene, start)
+        if abs(roll) > DOUBTFUL_ROLL:
+            turns = -1 if roll > 0 else 1
+            trials.append(
+                problem.solve(guess(problem.scene, problem.scaling, arc_length, turns=turns))
+            )
+    trials = [trial for trial in trials if trial is not None]
+    yield from sorted(trials, key=lambda trial: trial.energy)
+
+
+def _continued(problem, elements):
+    """Grow the weight from ``LIGHT`` and pull the ends apart from ``TAUT``, re-meshing on the way."""
+    scene, scaling = problem.scene, problem.scaling
+    elements = max(elements, 2 * mesh.COARSE)
+    load = min(1.0, LIGHT / max(scaling.weight_ratio, LIGHT))
+    reach = 1.0
+    if isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned):
+        reach = min(1.0, TAUT * scaling.length / max(scene.chord, 1e-12 * scaling.length))
+    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load))
+    trial = problem.solve(guess(scene, scaling, arc_length), load=load, reach=reach)
+    # Both parameters go to 1 together: the weight by equal factors, the slack 1 − reach too.
+    begin = np.array([load, 1.0])
+    progress, step = 0.0, 0.25 if load > 1e-3 else 0.12
+    slack = 1 - scene.chord / scaling.length if reach < 1 else 0.0
+    if load == 1.0 and reach == 1.0:
+        return
+    while trial is not None and progress < 1:
+        ahead = min(1.0, progress + step)
+        now_load = float(begin[0] ** (1 - ahead))
+        now_reach = 1.0
+        if reach < 1:
+            share = (1 - TAUT) ** (1 - ahead) * max(slack, 1e-9) ** ahead
+            now_reach = min(1.0, (1 - share) * scaling.length / scene.chord)
+        following = problem.solve(
+            trial.shape.on(trial.refined(elements)), load=now_load, reach=now_reach
+        )
+        if following is None:
+            step /= 2
+            if step < 0.01:
+                return
+            continue
+        trial, progress, step = following, ahead, step * 1.3
+    if trial is not None:
+        yield trial
+
+
+def _elsewhere(problem, arc_length):
+    """Starts whose slack goes another way than gravity's; the same ones in every run."""
+    directions = np.random.default_rng(20).normal(size=(6, 3))
+    for direction in directions:
+        sag = 60 * direction / np.linalg.norm(direction)
+        trial = problem.solve(guess(problem.scene, problem.scaling, arc_length, sag=sag))
+        if trial is not None:
+            yield trial
+
+
+def _off_saddle(problem, trial):
+    """Follow the least stable variation down both sides, to a minimum if one is found."""
+    for _ in range(3):
+        if trial.stable or trial.error > GARBAGE:
+            return trial
+        _, mode = trial.lowest_mode
+        size = 0.1 / max(np.abs(_positions(trial, mode)).max(), 1e-9)
+        below = []
+        for sign in (1, -1):
+            start = _displaced(trial, sign * size * mode)
+            other = problem.solve(start)
+            if other is not None and other.energy < trial.energy:
+                below.append(other)
+        if not below:
+            return trial
+        trial = min(below, key=lambda t: t.energy)
+    return trial
+
+
+def _positions(trial, x):
+    return np.array([state[:3] for state in trial.nlp.split(x)[0]])
+
+
+def _displaced(trial, change):
+    states, _ = trial.nlp.split(trial.raw.x + change)
+    nodes = np.array([state[:7] for state in states])
+    quaternion = nodes[:, 3:] / np.linalg.norm(nodes[:, 3:], axis=1)[:, None]
+    return Shape.from_frames(trial.shape.arc_length, nodes[:, :3], quaternion)
+
+
+def _refined(problem, trial):
+    """Re-mesh until the error estimate is within the tolerance, or the mesh as fine as it may be."""
+    tolerance = problem.scene.options.tolerance
+    order = SCHEMES[problem.scheme].ORDER
+    for _ in range(8):
+        if trial.error <= tolerance:
+            return trial
+        elements = len(trial.shape.steps)
+        # Aim at half the tolerance; at least 1.2 times the elements, at most 4 times.
+        factor = np.clip((2 * trial.error / tolerance) ** (1 / order), 1.2, 4.0)
+        wanted = mesh.rounded(elements * factor)
+        finer = problem.solve(trial.shape.on(trial.refined(wanted)))
+        if finer is None or not finer.stable or (elements == wanted and finer.error >= trial.error):
+            return trial
+        trial = finer
+    return trial

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One solve of one scene on one mesh, and what is known about its answer."""
+
+import time
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from ..errors import SolverMissingError
+from ..problem import Scene
+from ..problem.reduce import Model
+from ..transcription import layout
+from ..transcription.nlp import SCHEMES, Nlp, build, pack
+from ..transcription.scaling import Scaling
+from ..transcription.shape import Shape
+from ..transcription.structure import Structure
+from . import backend, mesh, stability, strong_form
+
+
+class TimeUpError(Exception):
+    """The time limit of a solve has passed; internal to this room."""
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """A converged program and its reading."""
+
+    nlp: Nlp
+    values: dict
+    parameters: np.ndarray
+    raw: backend.RawSolution
+    shape: Shape
+
+    @cached_property
+    def energies(self) -> np.ndarray:
+        """(4,) bending, torsion, stretch, gravity without units"""
+        return self.nlp.energy_function(self.raw.x, self.parameters).full().ravel()
+
+    @property
+    def energy(self) -> float:
+        return float(self.energies.sum())
+
+    @cached_property
+    def _strong_form(self):
+        structure = self.nlp.structure
+        return strong_form.correction(
+            self.shape, self.values, structure.start, structure.end, structure.strains
+        )
+
+    @property
+    def error(self) -> float:
+        """Estimate of the largest position error of a node, relative to the length."""
+        return float(np.linalg.norm(self._strong_form[0][:, :3], axis=1).max())
+
+    @cached_property
+    def lowest_mode(self):
+        return stability.lowest_mode(
+            self.nlp, self.raw.x, self.parameters, self.raw.multipliers
+        )
+
+    @property
+    def stable(self) -> bool:
+        return self.lowest_mode[0] > -stability.ZERO
+
+    def refined(self, elements) -> np.ndarray:
+        """Arc lengths of a mesh that suits this shape."""
+        order = SCHEMES[self.nlp.structure.scheme].ORDER
+        return mesh.refined(self.shape, self._strong_form[1], order, elements)
+
+
+@dataclass
+class Problem:
+    """A scene ready to be solved: its model, its scaling, its clock and its count of iterations."""
+
+    scene: Scene
+    model: Model
+    scaling: Scaling
+    deadline: float
+    iterations: int = field(default=0)
+    solve_time: float = field(default=0.0)
+    build_time: float = field(default=0.0)
+
+    @classmethod
+    def of(cls, scene: Scene, model: Model) -> "Problem":
+        return cls(
+            scene, model, Scaling.of(scene), time.perf_counter() + scene.options.time_limit
+        )
+
+    @property
+    def scheme(self) -> str:
+        wanted = self.scene.options.scheme
+        return "magnus" if wanted == "auto" else wanted
+
+    @property
+    def solvers(self) -> list[str]:
+        wanted = self.scene.options.solver
+        names = ["fatrop", "ipopt"] if wanted == "auto" else [wanted]
+        present = [name for name in names if backend.available(name)]
+        if not present:
+            raise SolverMissingError(
+                f"This CasADi has no plug-in {' or '.join(names)}; install the casadi wheel from PyPI"
+            )
+        return present
+
+    def structure(self, elements) -> Structure:
+        start, end = (self._kind(end) for end in (self.scene.start, self.scene.end))
+        return Structure(self.scheme, elements, start, end, self.model.strains)
+
+    def _kind(self, end):
+        # Without torsion the roll of a swivel has no meaning; clamped at any roll is the same, and simpler.
+        return "clamped" if end.kind == "swivel" and not self.model.twist else end.kind
+
+    def solve(self, start: Shape, *, load=1.0, reach=1.0) -> Trial | None:
+        """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
+
+        ``load`` scales gravity and ``reach`` the distance of the ends: continuation goes through them.
+        """
+        nlp = self._built(start)
+        values = self.scaling.parameters(
+            self.scene, start.quaternion[0], start.quaternion[-1], load
+        )
+        values["start_position"] = reach * values["start_position"]
+        values["end_position"] = reach * values["end_position"]
+        parameters = pack(values, start.steps)
+        x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start)
+        for name in self.solvers:
+            if time.perf_counter() > self.deadline:
+                raise TimeUpError
+            self.build_time += backend.first_use(nlp.structure, name)
+            raw = backend.minimise(nlp, name, x0, parameters, lam0)
+            self.iterations += raw.iterations
+            self.solve_time += raw.time
+            if raw.success:
+                shape = layout.shape_of(nlp, values, start.steps, raw.x, raw.multipliers)
+                return Trial(nlp, values, parameters, raw, shape)
+        return None
+
+    def _built(self, start):
+        begin = time.perf_counter()
+        nlp = build(self.structure(len(start.steps)))
+        self.build_time += time.perf_counter() - begin
+        return nlp

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the iteration starts: a smooth curve of the right length between the ends, with frames along it."""
+
+import numpy as np
+from scipy.integrate import trapezoid
+
+from ..geometry import rotation
+from ..geometry.curves import catenary, hermite
+from ..problem import Clamped, Pinned, Scene
+from ..problem.reduce import orientation
+from .scaling import Scaling
+from .shape import Shape
+
+HEAVY = 50.0
+"""Weight ratio w L³/EI above which a hanging chain is nearer to the cable than a spline (measured: from a
+spline the iteration begins to fail at about 1e4, from a catenary below about 10 it takes longer)."""
+
+LEAN = 1e-3
+"""Sideways disturbance of a start, in cable lengths: a start that is exactly symmetric converges to a saddle
+with success. Far larger than rounding, far smaller than what changes the iteration count."""
+
+
+def guess(scene: Scene, scaling: Scaling, arc_length, *, turns=0, sag=None) -> Shape:
+    """Nodes at ``arc_length`` (n+1,) in [0, 1] that satisfy the end conditions, nearly in equilibrium.
+
+    The frames carry as little twist as the ends allow, plus ``turns`` full turns. ``sag`` (3,) sends the slack
+    elsewhere than gravity does.
+    """
+    position, tangent = _curve(scene, scaling, arc_length, sag)
+    start = scene.start
+    first = start.quaternion if isinstance(start, Clamped) else rotation.from_tangent(tangent[0])
+    quaternion = rotation.transport(first, tangent)
+    natural_twist = scene.rod.natural_curvature[2] * scaling.length
+    if isinstance(scene.end, Clamped):
+        last = rotation.multiply(rotation.conjugate(quaternion[-1]), scene.end.quaternion)
+        roll = 2 * np.arctan2(last[3], last[0])
+        if isinstance(start, Clamped):
+            roll = roll - natural_twist
+            roll = (roll + np.pi) % (2 * np.pi) - np.pi + natural_twist + 2 * np.pi * turns
+            spin = roll * arc_length
+        else:
+            spin = roll + natural_twist * (arc_length - 1)
+    else:
+        spin = natural_twist * arc_length
+    spin = np.outer(spin, (0.0, 0.0, 1.0))
+    return Shape.from_frames(
+        arc_length, position, rotation.multiply(quaternion, rotation.exponential(spin))
+    )
+
+
+def roll_mismatch(scene: Scene, shape: Shape) -> float:
+    """Twist [rad] that the frames of a guess carry beyond the natural one."""
+    total = trapezoid(shape.strain[:, 2], shape.arc_length)
+    return float(total - scene.rod.natural_curvature[2] * scene.rod.length)
+
+
+def _curve(scene, scaling, arc_length, sag):
+    weight = scene.weight * scaling.length**3 / np.sqrt(np.prod(scene.rod.bending_stiffness))
+    start, end = scene.start, scene.end
+    if not isinstance(end, Pinned):
+        return _hanging(scaling.point(start.position), orientation(start), weight, arc_length)
+    if not isinstance(start, Pinned):
+        tangent = orientation(end)
+        tangent = None if tangent is None else -tangent
+        position, tangent = _hanging(scaling.point(end.position), tangent, weight, 1 - arc_length)
+        return position, -tangent
+    a, b = scaling.point(start.position), scaling.point(end.position)
+    length = max(1.0, float(np.linalg.norm(b - a)) * (1 + 1e-9))
+    if sag is None and scaling.weight_ratio > HEAVY:
+        curve = catenary(a, b, length, weight)
+    else:
+        curve = hermite(
+            a, orientation(start), b, orientation(end), length, bulge=weight if sag is None else sag
+        )
+    position, tangent = curve.at(arc_length * curve.length)
+    lean = LEAN * np.sin(np.pi * arc_length) ** 2
+    return position + np.outer(lean, _sideways(position)), tangent
+
+
+def _sideways(position):
+    """Unit vector most nearly normal to the plane of the points (m, 3)."""
+    return np.linalg.svd(position - position.mean(axis=0), full_matrices=True)[2][2]
+
+
+def _hanging(origin, tangent, weight, arc_length):
+    """A curve from ``origin`` that leaves along ``tangent`` and bends towards the weight; (position, tangent).
+
+    It turns over the gravito-bending length (EI/w)^(1/3), the scale on which weight wins over bending.
+    """
+    ratio = np.linalg.norm(weight)
+    if ratio == 0:
+        tangent = np.array([0.0, 0.0, 1.0]) if tangent is None else tangent
+        return origin + np.outer(arc_length, tangent), np.tile(tangent, (len(arc_length), 1))
+    down = weight / ratio
+    tangent = down if tangent is None else tangent
+    reach = 2 / max(ratio, 1e-3) ** (1 / 3)
+    turn = rotation.logarithm(rotation.shortest_arc(tangent, down))
+    fine = np.linspace(0, 1, 401)
+    share = 1 - np.exp(-fine / reach)
+    tangents = rotation.rotate(rotation.exponential(np.outer(share, turn)), tangent)
+    middle = (tangents[1:] + tangents[:-1]) / 2 * np.diff(fine)[:, None]
+    points = origin + np.vstack([np.zeros(3), np.cumsum(middle, axis=0)])
+    pick = lambda columns: np.stack(  # noqa: E731
+        [np.interp(arc_length, fine, column) for column in columns.T], axis=1
+    )
+    tangents = pick(tangents)
+    return pick(points), tangents / np.linalg.norm(tangents, axis=1)[:, None]

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The door between SI units and the numbers of the program.
+
+Lengths are measured in cable lengths from the point that holds the cable, forces in EI/L² + w L: then
+positions, curvatures and forces of light and of heavy cables are all of order one, and one absolute
+tolerance of the solver means the same for a wire of a millimetre and a sea cable.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry import rotation
+from ..problem import Clamped, Free, Scene, Swivel
+
+
+@dataclass(frozen=True)
+class Scaling:
+    """``length`` [m], ``force`` [N], ``origin`` (3,) [m], ``weight_ratio`` w L³/EI."""
+
+    length: float
+    force: float
+    origin: np.ndarray
+    weight_ratio: float
+
+    @classmethod
+    def of(cls, scene: Scene) -> "Scaling":
+        rod = scene.rod
+        stiffness = float(np.sqrt(np.prod(rod.bending_stiffness)))
+        ratio = float(np.linalg.norm(scene.weight)) * rod.length**3 / stiffness
+        force = stiffness / rod.length**2 * (1 + ratio)
+        held = scene.end if isinstance(scene.start, Free) else scene.start
+        return cls(rod.length, force, held.position, ratio)
+
+    @property
+    def energy(self) -> float:
+        """[J]; also the unit of moments [N m]"""
+        return self.force * self.length
+
+    def point(self, position) -> np.ndarray:
+        """World position [m] → without units."""
+        return (np.asarray(position) - self.origin) / self.length
+
+    def stiffness(self, rod) -> np.ndarray:
+        """(6,) of κ1, κ2, τ, γ1, γ2, ε without units; 0 where the rod is rigid."""
+        shear, axial = rod.shear_stiffness or 0.0, rod.axial_stiffness or 0.0
+        return np.concatenate(
+            [rod.stiffness / (self.force * self.length**2), np.array([shear, shear, axial]) / self.force]
+        )
+
+    def parameters(self, scene: Scene, start_frame, end_frame, load=1.0) -> dict:
+        """Values of ``nlp.PARAMETERS``. The frames (4,) stand in where an end prescribes none;
+        ``load`` scales gravity (for continuation)."""
+        return {
+            "stiffness": self.stiffness(scene.rod),
+            "natural": scene.rod.natural_curvature * self.length,
+            "weight": load * scene.weight * self.length / self.force,
+            "start_position": self._position(scene.start),
+            "start_quaternion": frame(scene.start, start_frame),
+            "end_position": self._position(scene.end),
+            "end_quaternion": frame(scene.end, end_frame),
+        }
+
+    def _position(self, end):
+        return np.zeros(3) if isinstance(end, Free) else self.point(end.position)
+
+
+def frame(end, otherwise):
+    """Quaternion (4,) of an end: its own, one along its tangent, or the one given."""
+    if isinstance(end, Clamped):
+        return end.quaternion
+    if isinstance(end, Swivel):
+        # Nearest to the given frame: so the roll, which is free, starts where the guess has it.
+        turn = rotation.shortest_arc(rotation.tangent(otherwise), end.tangent)
+        return rotation.multiply(turn, otherwise)
+    return otherwise
