@@ -8,7 +8,6 @@ class Status(Enum):
     """Outcome of a solve; the value is the sentence a person reads."""
 
     CONVERGED = "The cable is in equilibrium."
-    TAUT = "The cable is in equilibrium and taut: it is all but straight between its ends."
     UNSTABLE = "The shape found is an equilibrium but not a stable one: the cable would leave it."
     INACCURATE = "An equilibrium was found, but not to the tolerance asked for."
     INFEASIBLE = "No shape of this cable satisfies all requirements."
@@ -18,4 +17,4 @@ class Status(Enum):
     @property
     def success(self) -> bool:
         """Whether the shape may be shown as the shape of the cable."""
-        return self in (Status.CONVERGED, Status.TAUT)
+        return self is Status.CONVERGED

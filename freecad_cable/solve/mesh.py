@@ -65,19 +65,18 @@ def _tensions(scene, weight):
     return horizontal / cosine[0], horizontal / cosine[-1]
 
 
-def refined(shape, defects, order, elements) -> np.ndarray:
-    """(n+1,) arc lengths that spread the elements' defects (n, 12) evenly over ``elements``.
-
-    An element's defect is C h^(order+1); equal defects want a density of C^(1/(order+1)).
-    """
-    size = np.linalg.norm(defects, axis=1)
-    size = np.maximum(size, 1e-3 * size.max() + 1e-300)
-    # Neighbours share their largest defect, so that a sharp place stays inside its fine elements.
-    padded = np.pad(size, 1, mode="edge")
-    size = np.max([padded[:-2], padded[1:-1], padded[2:]], axis=0)
-    density = size ** (1 / (order + 1)) / shape.steps
-    s = np.concatenate([shape.arc_length[:-1, None], shape.arc_length[1:, None]], axis=1).ravel()
-    return _equidistributed(s, np.repeat(density, 2), elements)
+def refined(shape, elements) -> np.ndarray:
+    """(n+1,) arc lengths that suit a shape: a linear strain misses h² κ''/8 in an element, and to spread the
+    integral of that evenly wants a density of |κ''|^(1/3)."""
+    middle = (shape.arc_length[1:] + shape.arc_length[:-1]) / 2
+    slope = np.diff(shape.strain[:, :3], axis=0) / shape.steps[:, None]
+    bend = np.linalg.norm(np.diff(slope, axis=0) / np.diff(middle)[:, None], axis=1)
+    bend = np.pad(bend, 1, mode="edge")
+    # Neighbours share the sharpest, so that a sharp place stays inside its fine elements.
+    wide = np.pad(bend, 1, mode="edge")
+    bend = np.max([wide[:-2], bend, wide[2:]], axis=0)
+    density = (bend + 1e-6 * bend.max() + 1e-9) ** (1 / 3)
+    return _equidistributed(shape.arc_length, density, elements)
 
 
 def rounded(elements) -> int:

@@ -25,6 +25,13 @@ LIGHT = 100.0
 """Weight ratio with which continuation begins."""
 TAUT = 0.97
 """Distance of the ends, relative to the length, with which continuation begins."""
+DRIFT = 1e-3
+"""Error estimate above which a step of continuation was too long: the layers at the ends have become narrower than
+the mesh, and a scheme that is not conforming then finds minima that are none."""
+FACTOR = 4.0
+"""Growth of the weight, and loss of slack, in one step of continuation."""
+SCARCE = 1e-3
+"""Slack, relative to the length, below which continuation comes first."""
 DOUBTFUL_ROLL = 2.0
 """Twist [rad] of a guess beyond which the other way round may cost less (at π they are alike)."""
 
@@ -58,12 +65,17 @@ def _better(trial, other):
 
 def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
     """Converged trials, cheapest first, made as they are asked for."""
-    ratio = problem.scaling.weight_ratio
-    if ratio < HEAVY:
-        yield from _direct(problem, arc_length)
-    yield from _continued(problem, len(arc_length) - 1)
-    if ratio >= HEAVY:
-        yield from _direct(problem, arc_length)
+    scene = problem.scene
+    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
+    taut = held and scene.chord > (1 - SCARCE) * scene.rod.length
+    ways = [
+        lambda: _direct(problem, arc_length),
+        lambda: _continued(problem, len(arc_length) - 1),
+    ]
+    if taut or problem.scaling.weight_ratio > HEAVY:
+        ways.reverse()
+    for way in ways:
+        yield from way()
     yield from _elsewhere(problem, arc_length)
 
 
@@ -84,35 +96,36 @@ def _direct(problem, arc_length):
 def _continued(problem, elements):
     """Grow the weight from ``LIGHT`` and pull the ends apart from ``TAUT``, re-meshing on the way."""
     scene, scaling = problem.scene, problem.scaling
-    elements = max(elements, 2 * mesh.COARSE)
     load = min(1.0, LIGHT / max(scaling.weight_ratio, LIGHT))
-    reach = 1.0
+    chord, slack = 0.0, 1.0
     if isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned):
-        reach = min(1.0, TAUT * scaling.length / max(scene.chord, 1e-12 * scaling.length))
-    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load))
-    trial = problem.solve(guess(scene, scaling, arc_length), load=load, reach=reach)
-    # Both parameters go to 1 together: the weight by equal factors, the slack 1 − reach too.
-    begin = np.array([load, 1.0])
-    progress, step = 0.0, 0.25 if load > 1e-3 else 0.12
-    slack = 1 - scene.chord / scaling.length if reach < 1 else 0.0
-    if load == 1.0 and reach == 1.0:
+        chord = scene.chord / scaling.length
+        slack = max(1 - chord, 1e-9)
+    loose = max(1 - TAUT, slack)
+    if load == 1.0 and loose == slack:
         return
+    elements = max(elements, 2 * mesh.COARSE)
+
+    def at(progress):
+        """Both by equal factors: the weight, and the slack that is left."""
+        reach = 1.0 if loose == slack else (1 - loose ** (1 - progress) * slack**progress) / chord
+        return {"load": load ** (1 - progress), "reach": reach}
+
+    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load))
+    trial = problem.solve(guess(scene, scaling, arc_length), **at(0))
+    longest = 1 / np.ceil(max(np.log(1 / load), np.log(loose / slack)) / np.log(FACTOR))
+    progress, step = 0.0, longest
     while trial is not None and progress < 1:
         ahead = min(1.0, progress + step)
-        now_load = float(begin[0] ** (1 - ahead))
-        now_reach = 1.0
-        if reach < 1:
-            share = (1 - TAUT) ** (1 - ahead) * max(slack, 1e-9) ** ahead
-            now_reach = min(1.0, (1 - share) * scaling.length / scene.chord)
         following = problem.solve(
-            trial.shape.on(trial.refined(elements)), load=now_load, reach=now_reach
+            trial.shape.on(mesh.refined(trial.shape, elements)), **at(ahead), fallback=step < longest
         )
-        if following is None:
+        if following is None or following.error > DRIFT:
             step /= 2
-            if step < 0.01:
+            if step < longest / 16:
                 return
             continue
-        trial, progress, step = following, ahead, step * 1.3
+        trial, progress, step = following, ahead, min(longest, step * 1.5)
     if trial is not None:
         yield trial
 
@@ -168,7 +181,7 @@ def _refined(problem, trial):
         # Aim at half the tolerance; at least 1.2 times the elements, at most 4 times.
         factor = np.clip((2 * trial.error / tolerance) ** (1 / order), 1.2, 4.0)
         wanted = mesh.rounded(elements * factor)
-        finer = problem.solve(trial.shape.on(trial.refined(wanted)))
+        finer = problem.solve(trial.shape.on(mesh.refined(trial.shape, wanted)))
         if finer is None or not finer.stable or (elements == wanted and finer.error >= trial.error):
             return trial
         trial = finer

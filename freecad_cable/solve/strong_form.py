@@ -20,30 +20,50 @@ from ..geometry import rotation
 SUBSTEPS = 4
 """Runge–Kutta steps in an element: leaves 1/4⁴ of an order-4 element's own error unseen."""
 
+LAYERS = 2.0
+"""Longest element in bending layers: Runge–Kutta steps of half a layer, far from the end of their stability."""
+MOST_PARTS = 100
 
-def correction(shape, values, start_kind, end_kind, strains):
-    """(corrections, defects) of the nodes, each (…, 12): position, turn (world), force, moment.
 
-    Corrections (n+1, 12), defects (n, 12), without units. ``strains`` are the indices that the model keeps.
+def correction(shape, values, start_kind, end_kind, strains) -> np.ndarray:
+    """Corrections (n+1, 12) of the nodes without units: position, turn (world), force, moment.
+
+    ``strains`` are the indices that the model keeps.
     """
     compliance = np.zeros(6)
     kept = list(strains)
     compliance[kept] = 1 / values["stiffness"][kept]
     law = _Law(compliance, values["natural"], values["weight"])
+    arc_length, given = _resolving(shape, compliance)
+    shape = shape.on(arc_length)
     state = np.hstack([shape.position, shape.quaternion, shape.force, shape.moment])
     reached = law.integrate(state[:-1], shape.steps)
     turn = rotation.logarithm(
         rotation.multiply(state[1:, 3:7], rotation.conjugate(reached[:, 3:7]))
     )
-    defects = np.hstack(
-        [state[1:, :3] - reached[:, :3], turn, state[1:, 7:] - reached[:, 7:]]
-    )
+    defects = np.hstack([state[1:, :3] - reached[:, :3], turn, state[1:, 7:] - reached[:, 7:]])
     transfer = law.transfer((state[1:] + state[:-1]) / 2, shape.steps)
     first = _end_rows(start_kind, shape.quaternion[0], shape.force[0], shape.moment[0])
     last = _end_rows(end_kind, shape.quaternion[-1], shape.force[-1], shape.moment[-1])
     if 2 not in strains and start_kind != "clamped":
         first = _fix_roll(first, shape.quaternion[0])
-    return _solve(transfer, defects, first, last), defects
+    return _solve(transfer, defects, first, last)[given]
+
+
+def _resolving(shape, compliance):
+    """(arc lengths, indices of the shape's own nodes): elements split until none is longer than
+    ``LAYERS`` bending layers √(EI/T). Over longer ones the growing solutions drown everything; what is
+    interpolated in between is wrong to second order, which the Newton step squares."""
+    tension = np.linalg.norm(shape.force, axis=1)
+    tension = np.maximum(tension[1:], tension[:-1])
+    parts = shape.steps * np.sqrt(tension * compliance[:2].max()) / LAYERS
+    parts = np.clip(np.ceil(parts), 1, MOST_PARTS).astype(int)
+    inner = [
+        np.linspace(a, b, count, endpoint=False)
+        for a, b, count in zip(shape.arc_length[:-1], shape.arc_length[1:], parts, strict=True)
+    ]
+    given = np.concatenate([[0], np.cumsum(parts)])
+    return np.append(np.concatenate(inner), shape.arc_length[-1]), given
 
 
 class _Law:
@@ -75,7 +95,9 @@ class _Law:
         return y
 
     def transfer(self, y, steps):
-        """(n, 12, 12): how a change at the first node of an element arrives at its last."""
+        """Two matrices (n, 12, 12), P and Q: a change a at the first node of an element arrives at the last as b
+        with P b = Q a. The Padé form of the exponential keeps growing modes growing and decaying ones
+        decaying, however long the element is against the bending layer; a Taylor form does not."""
         q = y[:, 3:7] / np.linalg.norm(y[:, 3:7], axis=1)[:, None]
         frames, n, m = rotation.matrix(q), _hat(y[:, 7:10]), _hat(y[:, 10:])
         bend = np.einsum("kij,j,klj->kil", frames, self.bend, frames)
@@ -89,9 +111,9 @@ class _Law:
         rate[:, 3:6, 9:12] = bend
         rate[:, 9:12, 3:9] = n @ rate[:, 0:3, 3:9]
         rate[:, 9:12, 6:9] -= slope
-        step = rate * steps[:, None, None]
-        square = step @ step
-        return np.eye(12) + step + square / 2 + square @ step / 6 + square @ square / 24
+        half = rate * (steps / 2)[:, None, None]
+        even, odd = np.eye(12) + half @ half / 3, half
+        return even - odd, even + odd
 
 
 def _hat(v):
@@ -133,14 +155,14 @@ def _fix_roll(rows, quaternion):
 
 
 def _solve(transfer, defects, first, last):
-    n = len(transfer)
+    after, before = transfer
+    n = len(after)
     size = 12 * (n + 1)
     block_rows, block_cols = np.meshgrid(np.arange(12), np.arange(12), indexing="ij")
     offset = 12 * np.arange(n)[:, None, None]
-    eye_index = np.arange(12 * n)
-    rows = [(6 + offset + block_rows).ravel(), 6 + eye_index]
-    cols = [(offset + block_cols).ravel(), 12 + eye_index]
-    data = [-transfer.ravel(), np.ones(12 * n)]
+    rows = [(6 + offset + block_rows).ravel()] * 2
+    cols = [(offset + block_cols).ravel(), (12 + offset + block_cols).ravel()]
+    data = [-before.ravel(), after.ravel()]
     for (matrix, _), row, col in ((first, 0, 0), (last, size - 6, size - 12)):
         i, j = np.nonzero(matrix)
         rows.append(row + i)
@@ -149,7 +171,8 @@ def _solve(transfer, defects, first, last):
     matrix = csc_matrix(
         (np.concatenate(data), (np.concatenate(rows), np.concatenate(cols))), (size, size)
     )
-    right = np.concatenate([first[1], -defects.ravel(), last[1]])
+    missing = np.einsum("kij,kj->ki", after, defects)
+    right = np.concatenate([first[1], -missing.ravel(), last[1]])
     try:
         answer = splu(matrix).solve(right)
         resolved = np.abs(answer).max() < 1e6 * np.abs(right).max() + 1e-300

@@ -11,11 +11,11 @@ from ..errors import SolverMissingError
 from ..problem import Scene
 from ..problem.reduce import Model
 from ..transcription import layout
-from ..transcription.nlp import SCHEMES, Nlp, build, pack
+from ..transcription.nlp import Nlp, build, pack
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
 from ..transcription.structure import Structure
-from . import backend, mesh, stability, strong_form
+from . import backend, stability, strong_form
 
 
 class TimeUpError(Exception):
@@ -42,16 +42,13 @@ class Trial:
         return float(self.energies.sum())
 
     @cached_property
-    def _strong_form(self):
-        structure = self.nlp.structure
-        return strong_form.correction(
-            self.shape, self.values, structure.start, structure.end, structure.strains
-        )
-
-    @property
     def error(self) -> float:
         """Estimate of the largest position error of a node, relative to the length."""
-        return float(np.linalg.norm(self._strong_form[0][:, :3], axis=1).max())
+        structure = self.nlp.structure
+        correction = strong_form.correction(
+            self.shape, self.values, structure.start, structure.end, structure.strains
+        )
+        return float(np.linalg.norm(correction[:, :3], axis=1).max())
 
     @cached_property
     def lowest_mode(self):
@@ -62,11 +59,6 @@ class Trial:
     @property
     def stable(self) -> bool:
         return self.lowest_mode[0] > -stability.ZERO
-
-    def refined(self, elements) -> np.ndarray:
-        """Arc lengths of a mesh that suits this shape."""
-        order = SCHEMES[self.nlp.structure.scheme].ORDER
-        return mesh.refined(self.shape, self._strong_form[1], order, elements)
 
 
 @dataclass
@@ -111,10 +103,11 @@ class Problem:
         # Without torsion the roll of a swivel has no meaning; clamped at any roll is the same, and simpler.
         return "clamped" if end.kind == "swivel" and not self.model.twist else end.kind
 
-    def solve(self, start: Shape, *, load=1.0, reach=1.0) -> Trial | None:
+    def solve(self, start: Shape, *, load=1.0, reach=1.0, fallback=True) -> Trial | None:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
 
-        ``load`` scales gravity and ``reach`` the distance of the ends: continuation goes through them.
+        ``load`` scales gravity and ``reach`` the distance of the ends: continuation goes through them, and
+        rather takes a shorter step than fall back to the slower solver.
         """
         nlp = self._built(start)
         values = self.scaling.parameters(
@@ -124,7 +117,7 @@ class Problem:
         values["end_position"] = reach * values["end_position"]
         parameters = pack(values, start.steps)
         x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start)
-        for name in self.solvers:
+        for name in self.solvers if fallback else self.solvers[:1]:
             if time.perf_counter() > self.deadline:
                 raise TimeUpError
             self.build_time += backend.first_use(nlp.structure, name)
