@@ -20,7 +20,8 @@ from ..geometry import rotation
 
 @dataclass(frozen=True)
 class Balance:
-    """Both relative to the largest moment (or a thousandth of w L², if that is larger)."""
+    """Both relative to the largest moment (or to w L²/1000 or EI/L/10⁶, whichever is the
+    largest: a rod without load has none to compare with)."""
 
     moment: float
     """largest residual of the moment balance with the best n₀ and m₀"""
@@ -30,8 +31,7 @@ class Balance:
 
 def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | None:
     """Residuals of a rod's nodes: arc_length (n+1,), position (n+1, 3), quaternion (n+1, 4), force (n+1, 3);
-    weight (3,) [N/m]; all SI. None with fewer than three nodes or
-    without any load."""
+    weight (3,) [N/m]; all SI. None with fewer than three nodes."""
     if len(arc_length) < 3:
         return None
     degree = min(5, (len(arc_length) - 1) | 1)
@@ -48,18 +48,20 @@ def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | N
     lever = places(s) - position[0]
     hanging = places.antiderivative()(s) - np.outer(s, position[0])
     hanging -= hanging[0]
-    weighed = np.cross(hanging, weight)
+    weighed = rotation.cross(hanging, weight)
     # m + lever × (n₀ − w s) + weighed = m₀, linear in n₀ and m₀.
-    known = moment - np.cross(lever, np.outer(s - s[0], weight)) + weighed
+    known = moment - rotation.cross(lever, np.outer(s - s[0], weight)) + weighed
     matrix = np.concatenate([_hat(lever), -np.tile(np.eye(3), (len(s), 1, 1))], axis=2)
     unknown = np.linalg.lstsq(matrix.reshape(-1, 6), -known.ravel(), rcond=1e-12)[0]
     residual = np.linalg.norm((matrix @ unknown) + known, axis=1)
     length = arc_length[-1] - arc_length[0]
     load = float(np.linalg.norm(weight)) * length
-    scale = max(np.linalg.norm(moment, axis=1).max(), load * length * 1e-3)
-    if scale == 0:
-        return None
-    unbalanced = np.linalg.norm(np.cross(lever, unknown[:3] - force[0]), axis=1)
+    scale = max(
+        np.linalg.norm(moment, axis=1).max(),
+        load * length * 1e-3,
+        1e-6 * rod.bending_stiffness.max() / length,
+    )
+    unbalanced = np.linalg.norm(rotation.cross(lever, unknown[:3] - force[0]), axis=1)
     return Balance(
         moment=float(residual.max() / scale), force=float(unbalanced.max() / scale)
     )

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..problem import Pinned
-from ..transcription.guess import guess, roll_mismatch
+from ..transcription.guess import guess, hangs, roll_mismatch
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import mesh
@@ -32,6 +32,8 @@ FACTOR = 4.0
 """Growth of the weight, and loss of slack, in one step of continuation."""
 SCARCE = 1e-3
 """Slack, relative to the length, below which continuation comes first."""
+LOOSE = 0.65
+"""Chord, relative to the length, below which a cable may as well loop as hang: both are tried."""
 DOUBTFUL_ROLL = 2.0
 """Twist [rad] of a guess beyond which the other way round may cost less (at π they are alike)."""
 
@@ -65,9 +67,7 @@ def _better(trial, other):
 
 def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
     """Converged trials, cheapest first, made as they are asked for."""
-    scene = problem.scene
-    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
-    taut = held and scene.chord > (1 - SCARCE) * scene.rod.length
+    taut = _taut_chord(problem.scene) > 1 - SCARCE
     ways = [
         lambda: _direct(problem, arc_length),
         lambda: _continued(problem, len(arc_length) - 1),
@@ -80,27 +80,27 @@ def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
 
 
 def _direct(problem, arc_length):
-    start = guess(problem.scene, problem.scaling, arc_length)
-    trials = [problem.solve(start)]
+    """From the guess, and from its rivals where more than one is natural."""
+    scene, scaling = problem.scene, problem.scaling
+    start = guess(scene, scaling, arc_length)
+    starts = [start]
     if problem.model.twist:
-        roll = roll_mismatch(problem.scene, start)
+        roll = roll_mismatch(scene, start)
         if abs(roll) > DOUBTFUL_ROLL:
-            turns = -1 if roll > 0 else 1
-            trials.append(
-                problem.solve(guess(problem.scene, problem.scaling, arc_length, turns=turns))
-            )
-    trials = [trial for trial in trials if trial is not None]
-    yield from sorted(trials, key=lambda trial: trial.energy)
+            starts.append(guess(scene, scaling, arc_length, turns=-1 if roll > 0 else 1))
+    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
+    if held and 0 < scene.chord < LOOSE * scaling.length:
+        starts.append(guess(scene, scaling, arc_length, chain=not hangs(scaling)))
+    trials = [problem.solve(each) for each in starts]
+    yield from sorted((t for t in trials if t is not None), key=lambda trial: trial.energy)
 
 
 def _continued(problem, elements):
     """Grow the weight from ``LIGHT`` and pull the ends apart from ``TAUT``, re-meshing on the way."""
     scene, scaling = problem.scene, problem.scaling
     load = min(1.0, LIGHT / max(scaling.weight_ratio, LIGHT))
-    chord, slack = 0.0, 1.0
-    if isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned):
-        chord = scene.chord / scaling.length
-        slack = max(1 - chord, 1e-9)
+    chord = _taut_chord(scene)
+    slack = max(1 - chord, 1e-9)
     loose = max(1 - TAUT, slack)
     if load == 1.0 and loose == slack:
         return
@@ -128,6 +128,14 @@ def _continued(problem, elements):
         trial, progress, step = following, ahead, min(longest, step * 1.5)
     if trial is not None:
         yield trial
+
+
+def _taut_chord(scene):
+    """Distance of the ends relative to the length, where it can make an inextensible cable taut; else 0."""
+    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
+    if not held or scene.rod.axial_stiffness is not None:
+        return 0.0
+    return scene.chord / scene.rod.length
 
 
 def _elsewhere(problem, arc_length):

@@ -20,34 +20,47 @@ load has more than this in all cases of the tests."""
 
 def lowest_mode(nlp: Nlp, x, parameters, multipliers):
     """(relative eigenvalue, variation of the decision vector) of the least stable admissible variation."""
-    hessian, jacobian = (part.sparse() for part in nlp.second_variation(x, parameters, multipliers))
-    hessian, jacobian = hessian.tocsr(), jacobian.tocsr()
-    basis = _admissible(nlp, jacobian)
-    reduced = basis.T @ (hessian @ basis)
+    hessian, jacobian = nlp.second_variation(x, parameters, multipliers)
+    basis = _admissible(nlp, jacobian.sparse().tocoo(), _softness(nlp, parameters))
+    reduced = basis.T @ (hessian.sparse() @ basis)
     values, vectors = eigh((reduced + reduced.T) / 2)
     return float(values[0] / np.abs(values).max()), basis @ vectors[:, 0]
 
 
-def _admissible(nlp, jacobian):
+def _softness(nlp, parameters):
+    """(m,) 1/√stiffness of the strains: in strains so scaled all elastic energies are alike, and one stiff
+    in stretch or twist does not hide another that buckles."""
+    return 1 / np.sqrt(parameters[list(nlp.structure.strains)])
+
+
+def _admissible(nlp, jacobian, softness):
     """(len x, free) basis of the variations that satisfy all rows to first order."""
     sizes = nlp.stage_sizes
-    nx = sizes[0][0]
-    first_rows = jacobian[nx : nx + sizes[0][2], : nx + sizes[0][1]].toarray()
-    free = null_space(first_rows) if len(first_rows) else np.eye(nx + sizes[0][1])
-    columns = free.shape[1] + sum(nu for _, nu, _ in sizes[1:])
-    basis = np.zeros((jacobian.shape[1], columns))
-    basis[: len(free), : free.shape[1]] = free
-    row, col, used = 0, 0, free.shape[1]
-    for k, (nx, nu, ng) in enumerate(sizes[:-1]):
+    nx, nu, ng = (np.array(column) for column in zip(*sizes, strict=True))
+    columns = np.concatenate([[0], np.cumsum(nx + nu)])
+    gaps = np.append(nx[1:], 0)
+    rows = np.concatenate([[0], np.cumsum(gaps + ng)])
+    # One dense block a stage: its rows, over its own state and control and the next state.
+    blocks = np.zeros((len(sizes), (gaps + ng).max(), 2 * nx.max() + nu.max()))
+    stage = np.searchsorted(rows, jacobian.row, "right") - 1
+    blocks[stage, jacobian.row - rows[stage], jacobian.col - columns[stage]] = jacobian.data
+
+    own = nx[0] + nu[0]
+    first = blocks[0, gaps[0] : gaps[0] + ng[0], :own]
+    free = null_space(first) if len(first) else np.eye(own)
+    basis = np.zeros((jacobian.shape[1], free.shape[1] + nu[1:].sum()))
+    free[7:] *= np.tile(softness, (own - 7) // len(softness))[:, None]
+    basis[:own, : free.shape[1]] = free
+    used = free.shape[1]
+    for k in range(len(sizes) - 1):
+        here, there = columns[k], columns[k + 1]
         if k:
-            basis[col + nx : col + nx + nu, used : used + nu] = np.eye(nu)
-            used += nu
-        following = col + nx + nu
-        gap = jacobian[row : row + sizes[k + 1][0], col:following].toarray()
-        basis[following : following + sizes[k + 1][0], :used] = -gap @ basis[col:following, :used]
-        row += sizes[k + 1][0] + ng
-        col = following
-    ends = jacobian[row:, col:].toarray() @ basis[col:]
+            control = slice(used, used + nu[k])
+            basis[here + nx[k] : there, control] = np.diag(softness)[: nu[k]]
+            used += nu[k]
+        gap = blocks[k, : gaps[k], : nx[k] + nu[k]]
+        basis[there : there + nx[k + 1], :used] = -gap @ basis[here:there, :used]
+    ends = blocks[-1, : ng[-1], : nx[-1]] @ basis[columns[-2] :]
     if len(ends):
         q, r = qr(ends.T)[:2]
         rank = int(np.sum(np.abs(np.diag(r)) > 1e-10 * np.abs(r).max()))

@@ -25,13 +25,10 @@ LAYERS = 2.0
 MOST_PARTS = 100
 
 
-def correction(shape, values, start_kind, end_kind, strains) -> np.ndarray:
-    """Corrections (n+1, 12) of the nodes without units: position, turn (world), force, moment.
-
-    ``strains`` are the indices that the model keeps.
-    """
+def correction(shape, values, structure) -> np.ndarray:
+    """Corrections (n+1, 12) of the nodes without units: position, turn (world), force, moment."""
     compliance = np.zeros(6)
-    kept = list(strains)
+    kept = list(structure.strains)
     compliance[kept] = 1 / values["stiffness"][kept]
     law = _Law(compliance, values["natural"], values["weight"])
     arc_length, given = _resolving(shape, compliance)
@@ -43,9 +40,9 @@ def correction(shape, values, start_kind, end_kind, strains) -> np.ndarray:
     )
     defects = np.hstack([state[1:, :3] - reached[:, :3], turn, state[1:, 7:] - reached[:, 7:]])
     transfer = law.transfer((state[1:] + state[:-1]) / 2, shape.steps)
-    first = _end_rows(start_kind, shape.quaternion[0], shape.force[0], shape.moment[0])
-    last = _end_rows(end_kind, shape.quaternion[-1], shape.force[-1], shape.moment[-1])
-    if 2 not in strains and start_kind != "clamped":
+    first = _end_rows(structure.start, shape.quaternion[0], shape.force[0], shape.moment[0])
+    last = _end_rows(structure.end, shape.quaternion[-1], shape.force[-1], shape.moment[-1])
+    if structure.rolls:
         first = _fix_roll(first, shape.quaternion[0])
     return _solve(transfer, defects, first, last)[given]
 
@@ -81,7 +78,7 @@ class _Law:
         slope = np.einsum("kij,kj->ki", frames, v)
         turning = rotation.multiply(q, np.hstack([np.zeros((len(q), 1)), kappa])) / 2
         weight = np.broadcast_to(-self.weight, n.shape)
-        return np.hstack([slope, turning, weight, -np.cross(slope, n)])
+        return np.hstack([slope, turning, weight, -rotation.cross(slope, n)])
 
     def integrate(self, y, steps):
         h = (steps / SUBSTEPS)[:, None]
@@ -137,7 +134,7 @@ def _end_rows(kind, quaternion, force, moment):
     turn, torque = np.zeros((2, 12)), np.zeros((1, 12))
     turn[:, 3:6] = frame[:2]
     torque[0, 9:12] = frame[2]
-    torque[0, 3:6] = np.cross(moment, frame[2])
+    torque[0, 3:6] = rotation.cross(moment, frame[2])
     return np.vstack([held, turn, torque]), np.concatenate([zero, [0, 0, -frame[2] @ moment]])
 
 

@@ -46,7 +46,7 @@ class Trial:
         """Estimate of the largest position error of a node, relative to the length."""
         structure = self.nlp.structure
         correction = strong_form.correction(
-            self.shape, self.values, structure.start, structure.end, structure.strains
+            self.shape, self.values, structure
         )
         return float(np.linalg.norm(correction[:, :3], axis=1).max())
 
@@ -96,12 +96,10 @@ class Problem:
         return present
 
     def structure(self, elements) -> Structure:
-        start, end = (self._kind(end) for end in (self.scene.start, self.scene.end))
-        return Structure(self.scheme, elements, start, end, self.model.strains)
-
-    def _kind(self, end):
-        # Without torsion the roll of a swivel has no meaning; clamped at any roll is the same, and simpler.
-        return "clamped" if end.kind == "swivel" and not self.model.twist else end.kind
+        scene = self.scene
+        return Structure(
+            self.scheme, elements, scene.start.kind, scene.end.kind, self.model.strains
+        )
 
     def solve(self, start: Shape, *, load=1.0, reach=1.0, fallback=True) -> Trial | None:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.

@@ -10,7 +10,7 @@ A screw (θ, ρ) turns the frame by exp(θ) and moves it by V(θ) ρ; a rod of c
     A = sin x / x,  B = (1 − cos x)/x²,  C = (x − sin x)/x³,  D = (x²/2 − 1 + cos x)/x⁴,  x = |θ|
 
 The coefficients are written as power series of x², which have no singular point at x = 0 and need no
-branch; with TERMS terms they are exact to 1e-14 up to a turn of 2 rad in one element, and no accurate
+branch; with TERMS terms they are exact to 1e-12 up to a turn of 1 rad in one element, and no accurate
 mesh turns that far. Source: Iserles et al., "Lie-group methods", Acta Numerica 9 (2000), app. B.
 """
 
@@ -18,7 +18,7 @@ from math import factorial
 
 import casadi as ca
 
-TERMS = 8
+TERMS = 6
 
 
 def series(t, first):
@@ -48,12 +48,14 @@ def rotate(q, v):
     return v + q[0] * twice + ca.cross(q[1:], twice)
 
 
-def step(q, theta, rho):
-    """From a node's frame along the screw: (displacement, next frame, mean displacement over the element)."""
+def step(q, theta, rho, bow):
+    """From a node's frame along the screw: (displacement, next frame, mean displacement over the element).
+
+    ``bow`` is the mean distance of the true path from the screw, in the frame at the middle."""
     t = ca.dot(theta, theta)
     first = ca.cross(theta, rho)
     second = ca.cross(theta, first)
     b, c, d = series(t, 2), series(t, 3), series(t, 4)
     displacement = rotate(q, rho + b * first + c * second)
-    mean = rotate(q, rho / 2 + c * first + d * second)
+    mean = rotate(q, rho / 2 + c * first + d * second + bow + ca.cross(theta, bow) / 2)
     return displacement, multiply(q, turn(theta)), mean

@@ -25,8 +25,8 @@ def tangent_rows(target, q):
 
 def start_rows(structure, r, q, parameters):
     """Rows at the first node. Where the frame is not clamped, the quaternion's norm is set here, once:
-    the steps keep it. Without torsion the roll of a free frame has no meaning and is pinned to the
-    reference's, or the energy would not change along it."""
+    the steps keep it. Without torsion, and with no clamp at either end, the roll of the frames has no meaning
+    and is pinned to the reference's, or the energy would not change along it."""
     target = parameters["start_quaternion"]
     rows = [] if structure.start == "free" else [r - parameters["start_position"]]
     if structure.start == "clamped":
@@ -34,7 +34,7 @@ def start_rows(structure, r, q, parameters):
     rows.append(ca.dot(q, q) - 1)
     if structure.start == "swivel":
         rows.append(tangent_rows(target, q))
-    if not structure.twist:
+    if structure.rolls:
         rows.append(relative(target, q)[3])
     return ca.vertcat(*rows)
 

@@ -6,6 +6,7 @@ from scipy.integrate import trapezoid
 
 from ..geometry import rotation
 from ..geometry.curves import catenary, hermite
+from ..geometry.guess import perpendicular
 from ..problem import Clamped, Pinned, Scene
 from ..problem.reduce import orientation
 from .scaling import Scaling
@@ -20,13 +21,13 @@ LEAN = 1e-3
 with success. Far larger than rounding, far smaller than what changes the iteration count."""
 
 
-def guess(scene: Scene, scaling: Scaling, arc_length, *, turns=0, sag=None) -> Shape:
+def guess(scene: Scene, scaling: Scaling, arc_length, *, turns=0, chain=None, sag=None) -> Shape:
     """Nodes at ``arc_length`` (n+1,) in [0, 1] that satisfy the end conditions, nearly in equilibrium.
 
-    The frames carry as little twist as the ends allow, plus ``turns`` full turns. ``sag`` (3,) sends the slack
-    elsewhere than gravity does.
+    The frames carry as little twist as the ends allow, plus ``turns`` full turns. ``chain`` chooses
+    between a hanging chain and a spline (None: by weight); ``sag`` (3,) sends the slack elsewhere than gravity.
     """
-    position, tangent = _curve(scene, scaling, arc_length, sag)
+    position, tangent = _curve(scene, scaling, arc_length, chain, sag)
     start = scene.start
     first = start.quaternion if isinstance(start, Clamped) else rotation.from_tangent(tangent[0])
     quaternion = rotation.transport(first, tangent)
@@ -54,7 +55,12 @@ def roll_mismatch(scene: Scene, shape: Shape) -> float:
     return float(total - scene.rod.natural_curvature[2] * scene.rod.length)
 
 
-def _curve(scene, scaling, arc_length, sag):
+def hangs(scaling: Scaling) -> bool:
+    """Whether a guess is a chain by default."""
+    return scaling.weight_ratio > HEAVY
+
+
+def _curve(scene, scaling, arc_length, chain, sag):
     weight = scene.weight * scaling.length**3 / np.sqrt(np.prod(scene.rod.bending_stiffness))
     start, end = scene.start, scene.end
     if not isinstance(end, Pinned):
@@ -66,12 +72,11 @@ def _curve(scene, scaling, arc_length, sag):
         return position, -tangent
     a, b = scaling.point(start.position), scaling.point(end.position)
     length = max(1.0, float(np.linalg.norm(b - a)) * (1 + 1e-9))
-    if sag is None and scaling.weight_ratio > HEAVY:
-        curve = catenary(a, b, length, weight)
+    sag = weight if sag is None else sag
+    if hangs(scaling) if chain is None else chain:
+        curve = catenary(a, b, length, sag if sag.any() else perpendicular(b - a))
     else:
-        curve = hermite(
-            a, orientation(start), b, orientation(end), length, bulge=weight if sag is None else sag
-        )
+        curve = hermite(a, orientation(start), b, orientation(end), length, bulge=sag)
     position, tangent = curve.at(arc_length * curve.length)
     lean = LEAN * np.sin(np.pi * arc_length) ** 2
     return position + np.outer(lean, _sideways(position)), tangent

@@ -11,9 +11,9 @@ STRAIN_IS_STATE = False
 
 
 def screw(h, first, last):
-    """(θ, ρ) of an element of length h from its strain (κ, v); both ends have the same."""
+    """(θ, ρ, bow) of an element of length h from its strain (κ, v); both ends have the same, no bow."""
     kappa, v = first
-    return h * kappa, h * v
+    return h * kappa, h * v, 0 * v
 
 
 def elastic_energy(h, stiffness, first, last):

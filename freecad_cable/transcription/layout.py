@@ -51,8 +51,8 @@ def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
     mean = nlp.first_mean(x, pack(values, steps)).full().ravel()
     first = (
         moment[0]
-        + np.cross(position[1] - position[0], force[1])
-        + np.cross(mean, weight) * steps[0]
+        + rotation.cross(position[1] - position[0], force[1])
+        + rotation.cross(mean, weight) * steps[0]
     )
     moment = np.vstack([first, moment])
     arc_length = np.concatenate([[0.0], np.cumsum(steps)])

@@ -19,5 +19,6 @@ class Structure:
     """indices into STRAINS of what the model keeps; the others stay at their natural value"""
 
     @property
-    def twist(self) -> bool:
-        return 2 in self.strains
+    def rolls(self) -> bool:
+        """Whether nothing determines the roll of the frames: no torsion, and no end clamped."""
+        return 2 not in self.strains and "clamped" not in (self.start, self.end)
