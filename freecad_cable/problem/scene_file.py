@@ -4,9 +4,11 @@
 Reading is strict: an unknown field is an error, so that a misspelt one is not silently ignored.
 """
 
+import numpy as np
+
 from ..errors import NotYetError, ProblemError
 from ..options import SolveOptions
-from .checked import number, vector
+from .checked import number, shown, vector
 from .ends import Clamped, Free, Pinned, Swivel
 from .rod import Rod
 from .scene import Scene
@@ -45,7 +47,7 @@ def read_scene(data) -> Scene:
         optional=("gravity", "supports", "obstacles", "clearance", "options"),
     )
     if fields["schema"] != SCHEMA or isinstance(fields["schema"], bool):
-        raise ProblemError("schema", f"is {fields['schema']!r}; this version reads schema {SCHEMA}")
+        raise ProblemError("schema", f"is {shown(fields['schema'])}; this version reads schema {SCHEMA}")
     supports = _kinds("supports", fields.get("supports", []), SUPPORT_FIELDS, ("arc_length",))
     obstacles = _kinds("obstacles", fields.get("obstacles", []), OBSTACLE_FIELDS, ())
     start, end = (_end(place, fields[place]) for place in ("start", "end"))
@@ -83,21 +85,19 @@ def _length(fields, start, end) -> float:
     if mode is None:
         return number("cable.length", fields["length"], above=0, unit="m")
     if not isinstance(mode, dict):
-        raise ProblemError("cable.length_mode", f"is {mode!r}; it must be an object with a kind")
+        raise ProblemError("cable.length_mode", f"is {shown(mode)}; it must be an object with a kind")
     kind = mode.get("kind")
     if kind == "shortest":
         raise NotYetError("cable.length_mode", "shortest is not yet solved by this version")
     if kind != "slack":
-        raise ProblemError("cable.length_mode.kind", f"is {kind!r}; it must be slack or shortest")
+        raise ProblemError("cable.length_mode.kind", f"is {shown(kind)}; it must be slack or shortest")
     place = "cable.length_mode"
     slack = number(
         f"{place}.value", _fields(place, mode, ("kind", "value"), ())["value"], at_least=0
     )
     if not (isinstance(start, Pinned) and isinstance(end, Pinned)):
         raise ProblemError(place, "slack needs both ends held at a position; give a length")
-    from numpy.linalg import norm
-
-    chord = float(norm(end.position - start.position))
+    chord = float(np.linalg.norm(end.position - start.position))
     if chord == 0:
         raise ProblemError(place, "the ends are at the same point, so slack has no base; give a length")
     return chord * (1 + slack)
@@ -117,14 +117,14 @@ def _options(data) -> SolveOptions:
             given[name] = number(f"options.{name}", given[name], above=0)
     elements = given.get("elements")
     if elements is not None and (isinstance(elements, bool) or not isinstance(elements, int)):
-        raise ProblemError("options.elements", f"is {elements!r}; it must be a whole number or null")
+        raise ProblemError("options.elements", f"is {shown(elements)}; it must be a whole number or null")
     return SolveOptions(**given)
 
 
 def _kinds(place, data, kinds, optional):
     """Check a list of objects with a kind each; (kind, fields) of each."""
     if not isinstance(data, list):
-        raise ProblemError(place, f"is {data!r}; it must be a list")
+        raise ProblemError(place, f"is {shown(data)}; it must be a list")
     found = []
     for i, item in enumerate(data):
         where = f"{place}[{i}]"
@@ -135,17 +135,17 @@ def _kinds(place, data, kinds, optional):
 
 def _kind(place, data, kinds):
     if not isinstance(data, dict):
-        raise ProblemError(place, f"is {data!r}; it must be an object with a kind")
+        raise ProblemError(place, f"is {shown(data)}; it must be an object with a kind")
     kind = data.get("kind")
     if not isinstance(kind, str) or kind not in kinds:
-        raise ProblemError(f"{place}.kind", f"is {kind!r}; it must be one of {', '.join(kinds)}")
+        raise ProblemError(f"{place}.kind", f"is {shown(kind)}; it must be one of {', '.join(kinds)}")
     return kind
 
 
 def _fields(place, data, required, optional):
     """``data`` as a dict with all required and no unknown fields."""
     if not isinstance(data, dict):
-        raise ProblemError(place, f"is {data!r}; it must be an object")
+        raise ProblemError(place, f"is {shown(data)}; it must be an object")
     for name in required:
         if name not in data:
             raise ProblemError(f"{place}.{name}" if place != "scene" else name, "is missing")

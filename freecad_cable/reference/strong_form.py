@@ -51,7 +51,7 @@ def equilibrium(
             )
     units = _Units(scene)
     rod = units.equations(scene)
-    first = held.conditions(units.end(scene.start), -ZERO, ZERO)
+    first = held.conditions(units.end(scene.start), ZERO, ZERO)
     last = held.conditions(units.end(scene.end), end_force / units.force, end_moment / units.moment)
     nodes = units.nodes(start, rod)
     scale = np.repeat((1.0, 1.0, _peak(nodes[:, N]), _peak(nodes[:, M])), (3, 4, 3, 3))

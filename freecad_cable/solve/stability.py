@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether an equilibrium is a minimum: the second variation of the energy on admissible variations.
 
-The states of the program follow from its controls and from what the start leaves free, so a variation is a
-vector of those; the Hessian of the Lagrangian is gathered onto them stage by stage, what the end conditions
-forbid is projected out, and the smallest eigenvalue decides. The reduced matrix is dense but well
-conditioned: it belongs to kinematics, not to the (stiff) equations of equilibrium.
+Two readings of the same Hessian. ``proven`` runs the Riccati recursion of the program backwards with a
+penalty on the end conditions: if every pivot is positive the second variation is (Finsler's lemma), and most
+answers pass at the cost of some small matrices. Where it does not pass, ``lowest_mode`` decides by the smallest
+eigenvalue and gives the variation that leaves a saddle.
 """
 
 import numpy as np
@@ -16,53 +16,99 @@ ZERO = 1e-6
 """Smallest eigenvalue, relative to the largest, that counts as negative below. A circle of solutions
 (a symmetric cable that may turn) has eigenvalues of about 1e-12; an unstable cable a step past its critical
 load has more than this in all cases of the tests."""
+PENALTY = 1e5
+"""On the end conditions, against elastic energies of order one; larger values lose digits, smaller ones prove less."""
 
 
-def lowest_mode(nlp: Nlp, x, parameters, multipliers):
-    """(relative eigenvalue, variation of the decision vector) of the least stable admissible variation."""
-    hessian, jacobian = nlp.second_variation(x, parameters, multipliers)
-    basis = _admissible(nlp, jacobian.sparse().tocoo(), _softness(nlp, parameters))
-    reduced = basis.T @ (hessian.sparse() @ basis)
-    values, vectors = eigh((reduced + reduced.T) / 2)
-    return float(values[0] / np.abs(values).max()), basis @ vectors[:, 0]
+class SecondVariation:
+    """Hessian and Jacobian of a converged program as dense blocks, one a stage, strains scaled by 1/√stiffness:
+    then all elastic energies are alike, and one stiff in stretch or twist does not hide another that buckles."""
 
+    def __init__(self, nlp: Nlp, x, parameters, multipliers):
+        hessian, jacobian = nlp.second_variation(x, parameters, multipliers)
+        self.nlp = nlp
+        self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
+        softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])
+        strains = (self.nx[0] - 7 + self.nu) // len(softness)
+        self.scale = np.concatenate(
+            [np.concatenate([np.ones(7), np.tile(softness, count)]) for count in strains]
+        )
+        self.columns = np.concatenate([[0], np.cumsum(self.nx + self.nu)])
+        self.gaps = np.append(self.nx[1:], 0)
+        rows = np.concatenate([[0], np.cumsum(self.gaps + ng)])
+        self.rows = self._blocks(jacobian.sparse().tocoo(), rows, (self.gaps + ng).max())
+        self.curvature = self._blocks(
+            hessian.sparse().tocoo(), self.columns, (self.nx + self.nu).max()
+        )
+        self.sides = ng
 
-def _softness(nlp, parameters):
-    """(m,) 1/√stiffness of the strains: in strains so scaled all elastic energies are alike, and one stiff
-    in stretch or twist does not hide another that buckles."""
-    return 1 / np.sqrt(parameters[list(nlp.structure.strains)])
+    def _blocks(self, matrix, starts, height):
+        """(stages, height, width): each stage's rows over its own variables and the next stage's state."""
+        blocks = np.zeros((len(self.nx), height, 2 * self.nx.max() + self.nu.max()))
+        stage = np.searchsorted(starts, matrix.row, "right") - 1
+        values = matrix.data * self.scale[matrix.col]
+        if starts is self.columns:
+            values = values * self.scale[matrix.row]
+        blocks[stage, matrix.row - starts[stage], matrix.col - self.columns[stage]] = values
+        return blocks
 
+    def proven(self) -> bool:
+        """Whether the Riccati recursion shows the second variation to be positive; False proves nothing."""
+        nx = self.nx[-1]
+        end = self.rows[-1, : self.sides[-1], :nx]
+        p = self.curvature[-1, :nx, :nx] + PENALTY * end.T @ end
+        try:
+            for k in range(len(self.nx) - 2, -1, -1):
+                nx, own = self.nx[k], self.nx[k] + self.nu[k]
+                # Gap rows: next state in its own scale, minus what this stage leads to.
+                lead = -self.rows[k, : self.gaps[k], :own] / self._next_scale(k)
+                h = self.curvature[k, :own, :own] + lead.T @ p @ lead
+                if k == 0:
+                    side = self.rows[0, self.gaps[0] : self.gaps[0] + self.sides[0], :own]
+                    free = null_space(side) if len(side) else np.eye(own)
+                    np.linalg.cholesky(free.T @ h @ free)
+                    return True
+                factor = np.linalg.cholesky(h[nx:, nx:])
+                half = np.linalg.solve(factor, h[nx:, :nx])
+                p = h[:nx, :nx] - half.T @ half
+        except np.linalg.LinAlgError:
+            return False
 
-def _admissible(nlp, jacobian, softness):
-    """(len x, free) basis of the variations that satisfy all rows to first order."""
-    sizes = nlp.stage_sizes
-    nx, nu, ng = (np.array(column) for column in zip(*sizes, strict=True))
-    columns = np.concatenate([[0], np.cumsum(nx + nu)])
-    gaps = np.append(nx[1:], 0)
-    rows = np.concatenate([[0], np.cumsum(gaps + ng)])
-    # One dense block a stage: its rows, over its own state and control and the next state.
-    blocks = np.zeros((len(sizes), (gaps + ng).max(), 2 * nx.max() + nu.max()))
-    stage = np.searchsorted(rows, jacobian.row, "right") - 1
-    blocks[stage, jacobian.row - rows[stage], jacobian.col - columns[stage]] = jacobian.data
+    def _next_scale(self, k):
+        there = self.columns[k + 1]
+        return self.scale[there : there + self.nx[k + 1], None]
 
-    own = nx[0] + nu[0]
-    first = blocks[0, gaps[0] : gaps[0] + ng[0], :own]
-    free = null_space(first) if len(first) else np.eye(own)
-    basis = np.zeros((jacobian.shape[1], free.shape[1] + nu[1:].sum()))
-    free[7:] *= np.tile(softness, (own - 7) // len(softness))[:, None]
-    basis[:own, : free.shape[1]] = free
-    used = free.shape[1]
-    for k in range(len(sizes) - 1):
-        here, there = columns[k], columns[k + 1]
-        if k:
-            control = slice(used, used + nu[k])
-            basis[here + nx[k] : there, control] = np.diag(softness)[: nu[k]]
-            used += nu[k]
-        gap = blocks[k, : gaps[k], : nx[k] + nu[k]]
-        basis[there : there + nx[k + 1], :used] = -gap @ basis[here:there, :used]
-    ends = blocks[-1, : ng[-1], : nx[-1]] @ basis[columns[-2] :]
-    if len(ends):
-        q, r = qr(ends.T)[:2]
-        rank = int(np.sum(np.abs(np.diag(r)) > 1e-10 * np.abs(r).max()))
-        basis = basis @ q[:, rank:]
-    return basis
+    def lowest_mode(self):
+        """(relative eigenvalue, variation of the decision vector) of the least stable admissible variation."""
+        basis = self._admissible()
+        reduced = np.zeros((basis.shape[1],) * 2)
+        for k in range(len(self.nx)):
+            own = slice(self.columns[k], self.columns[k + 1])
+            size = self.nx[k] + self.nu[k]
+            reduced += basis[own].T @ self.curvature[k, :size, :size] @ basis[own]
+        values, vectors = eigh((reduced + reduced.T) / 2)
+        return float(values[0] / np.abs(values).max()), self.scale * (basis @ vectors[:, 0])
+
+    def _admissible(self):
+        """(len x, free) basis of the variations that satisfy all rows to first order: the states follow from
+        the controls and from what the start leaves free; what the end forbids is projected out."""
+        own = self.columns[1]
+        side = self.rows[0, self.gaps[0] : self.gaps[0] + self.sides[0], :own]
+        free = null_space(side) if len(side) else np.eye(own)
+        basis = np.zeros((self.columns[-1], free.shape[1] + self.nu[1:].sum()))
+        basis[:own, : free.shape[1]] = free
+        used = free.shape[1]
+        for k in range(len(self.nx) - 1):
+            here, there = self.columns[k], self.columns[k + 1]
+            if k:
+                control = slice(used, used + self.nu[k])
+                basis[here + self.nx[k] : there, control] = np.eye(self.nu[k])
+                used += self.nu[k]
+            lead = -self.rows[k, : self.gaps[k], : self.nx[k] + self.nu[k]] / self._next_scale(k)
+            basis[there : there + self.nx[k + 1], :used] = lead @ basis[here:there, :used]
+        ends = self.rows[-1, : self.sides[-1], : self.nx[-1]] @ basis[self.columns[-2] :]
+        if len(ends):
+            q, r = qr(ends.T)[:2]
+            rank = int(np.sum(np.abs(np.diag(r)) > 1e-10 * np.abs(r).max()))
+            basis = basis @ q[:, rank:]
+        return basis

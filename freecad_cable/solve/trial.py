@@ -51,14 +51,19 @@ class Trial:
         return float(np.linalg.norm(correction[:, :3], axis=1).max())
 
     @cached_property
-    def lowest_mode(self):
-        return stability.lowest_mode(
+    def _second_variation(self):
+        return stability.SecondVariation(
             self.nlp, self.raw.x, self.parameters, self.raw.multipliers
         )
 
-    @property
+    @cached_property
+    def lowest_mode(self):
+        """(relative eigenvalue, variation of the decision vector)"""
+        return self._second_variation.lowest_mode()
+
+    @cached_property
     def stable(self) -> bool:
-        return self.lowest_mode[0] > -stability.ZERO
+        return self._second_variation.proven() or self.lowest_mode[0] > -stability.ZERO
 
 
 @dataclass
