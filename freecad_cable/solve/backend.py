@@ -61,8 +61,22 @@ def built(structure: Structure, name: str):
             "tol": TOLERANCE,
             "max_iter": ITERATIONS,
         }
+    options["cache"] = {"nlp_hess_l": _hessian(nlp, name)}
     program = {"x": nlp.x, "g": nlp.g, "f": nlp.f, "p": nlp.p}
     return ca.nlpsol(f"rod_{name}", name, program, options)
+
+
+def _hessian(nlp: Nlp, name: str) -> ca.Function:
+    """Our Hessian in place of the one that CasADi would make, in the form that the plug-in asks for."""
+    inputs = [nlp.x, nlp.p, *nlp.multipliers]
+    names = ["x", "p", "lam_f", "lam_g"]
+    if name == "ipopt":
+        outputs, titles = [ca.triu(nlp.hessian)], ["triu_hess_gamma_x_x"]
+    else:
+        lagrangian = nlp.multipliers[0] * nlp.f + ca.dot(nlp.multipliers[1], nlp.g)
+        outputs = [ca.gradient(lagrangian, nlp.x), nlp.hessian]
+        titles = ["grad_gamma_x", "hess_gamma_x_x"]
+    return ca.Function("nlp_hess_l", inputs, outputs, names, titles)
 
 
 def first_use(structure: Structure, name: str) -> float:

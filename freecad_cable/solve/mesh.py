@@ -9,10 +9,8 @@ from ..problem import Clamped, Pinned, Swivel
 
 COARSE = 32
 """Elements of a first mesh: Table 1 of the seed paper is then within 1e-5 L with the scheme of order 4."""
-FINEST = 800
-"""More elements than this are not tried."""
-QUANTUM = 8
-"""Element counts are multiples of this, so that built solvers find reuse."""
+SIZES = (32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
+"""Element counts that refinement chooses from, so that built solvers find reuse."""
 
 
 def uniform(elements) -> np.ndarray:
@@ -79,8 +77,9 @@ def refined(shape, elements) -> np.ndarray:
     return _equidistributed(shape.arc_length, density, elements)
 
 
-def rounded(elements) -> int:
-    return int(min(FINEST, QUANTUM * np.ceil(elements / QUANTUM)))
+def size(elements) -> int:
+    """The next count that refinement may choose; the finest if there is none."""
+    return next((n for n in SIZES if n >= elements), SIZES[-1])
 
 
 def _equidistributed(s, density, elements):

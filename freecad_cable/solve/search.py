@@ -188,7 +188,7 @@ def _refined(problem, trial):
         elements = len(trial.shape.steps)
         # Aim at half the tolerance; at least 1.2 times the elements, at most 4 times.
         factor = np.clip((2 * trial.error / tolerance) ** (1 / order), 1.2, 4.0)
-        wanted = mesh.rounded(elements * factor)
+        wanted = mesh.size(elements * factor)
         finer = problem.solve(trial.shape.on(mesh.refined(trial.shape, wanted)))
         if finer is None or not finer.stable or (elements == wanted and finer.error >= trial.error):
             return trial

@@ -25,7 +25,7 @@ class SecondVariation:
     then all elastic energies are alike, and one stiff in stretch or twist does not hide another that buckles."""
 
     def __init__(self, nlp: Nlp, x, parameters, multipliers):
-        hessian, jacobian = nlp.second_variation(x, parameters, multipliers)
+        hessian, jacobian = nlp.second_variation(x, parameters, 1.0, multipliers)
         self.nlp = nlp
         self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
         softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])

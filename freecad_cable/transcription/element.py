@@ -29,12 +29,6 @@ def series(t, first):
     return total
 
 
-def turn(theta):
-    """Quaternion (4,) of the rotation vector (3,)."""
-    t = ca.dot(theta, theta) / 4
-    return ca.vertcat(series(t, 0), series(t, 1) * theta / 2)
-
-
 def multiply(a, b):
     """Quaternion product a ∘ b."""
     return ca.vertcat(
@@ -48,14 +42,21 @@ def rotate(q, v):
     return v + q[0] * twice + ca.cross(q[1:], twice)
 
 
-def step(q, theta, rho, bow):
-    """From a node's frame along the screw: (displacement, next frame, mean displacement over the element).
+def body(theta, rho, bow, square):
+    """The screw seen from its first frame: (displacement, turn, mean displacement over the element).
 
-    ``bow`` is the mean distance of the true path from the screw, in the frame at the middle."""
-    t = ca.dot(theta, theta)
+    ``bow`` is the mean distance of the true path from the screw, in the frame at the middle; ``square`` is
+    |θ|², by itself so that a derivative can treat it as one more variable."""
     first = ca.cross(theta, rho)
     second = ca.cross(theta, first)
-    b, c, d = series(t, 2), series(t, 3), series(t, 4)
-    displacement = rotate(q, rho + b * first + c * second)
-    mean = rotate(q, rho / 2 + c * first + d * second + bow + ca.cross(theta, bow) / 2)
-    return displacement, multiply(q, turn(theta)), mean
+    b, c, d = series(square, 2), series(square, 3), series(square, 4)
+    displacement = rho + b * first + c * second
+    turn = ca.vertcat(series(square / 4, 0), series(square / 4, 1) * theta / 2)
+    mean = rho / 2 + c * first + d * second + bow + ca.cross(theta, bow) / 2
+    return displacement, turn, mean
+
+
+def step(q, theta, rho, bow):
+    """From a node's frame along the screw: (displacement, next frame, mean displacement over the element)."""
+    displacement, turn, mean = body(theta, rho, bow, ca.dot(theta, theta))
+    return rotate(q, displacement), multiply(q, turn), rotate(q, mean)

@@ -17,6 +17,7 @@ import numpy as np
 
 from . import ends, helix, magnus
 from .element import step
+from .hessian import element_block
 from .structure import Structure
 
 SCHEMES = {"helix": helix, "magnus": magnus}
@@ -48,6 +49,9 @@ class Nlp:
     p: ca.SX
     energies: ca.SX
     mean: ca.SX
+    multipliers: tuple[ca.SX, ca.SX]
+    """λ_f and λ, in which ``hessian`` is written"""
+    hessian: ca.SX
     equality: tuple[bool, ...]
     gaps: tuple[int, ...]
     stage_sizes: tuple[tuple[int, int, int], ...]
@@ -63,12 +67,9 @@ class Nlp:
 
     @cached_property
     def second_variation(self):
-        """(x, p, λ) → (Hessian of the Lagrangian, Jacobian of the rows)."""
-        multipliers = ca.SX.sym("lam", self.g.numel())
-        hessian, _ = ca.hessian(self.f + ca.dot(multipliers, self.g), self.x)
-        return ca.Function(
-            "second_variation", [self.x, self.p, multipliers], [hessian, ca.jacobian(self.g, self.x)]
-        )
+        """(x, p, λ_f, λ) → (Hessian of the Lagrangian λ_f f + λ·g, Jacobian of the rows)."""
+        inputs = [self.x, self.p, *self.multipliers]
+        return ca.Function("second_variation", inputs, [self.hessian, ca.jacobian(self.g, self.x)])
 
     def split(self, x):
         """Decision vector → states [(nx,)] and controls [(nu,)], lists over stages."""
@@ -97,25 +98,32 @@ def build(structure: Structure) -> Nlp:
     scheme = SCHEMES[structure.scheme]
     size = len(structure.strains)
     parameters, steps, p = _named(structure)
-    rest = ca.vertcat(parameters["natural"], 0, 0, 0)
     kept = list(structure.strains)
     stiffness = parameters["stiffness"][kept]
+    natural = ca.vertcat(parameters["natural"], 0, 0, 0)[kept]
 
-    def full(strain):
+    def full(strain, unloaded):
         """(κ, v) from the strains that the model keeps."""
-        e = ca.SX(rest)
+        e = ca.SX(ca.vertcat(unloaded, 0, 0, 0))
         for i, index in enumerate(kept):
             e[index] = strain[i]
         return e[:3], ca.vertcat(e[3], e[4], 1 + e[5])
 
+    block = element_block(scheme, structure, full)
+    factor = ca.SX.sym("lam_f")
     state_size = 7 + (size if scheme.STRAIN_IS_STATE else 0)
-    x, g, equality, gaps, sizes = [], [], [], [], []
+    x, g, lam, equality, gaps, sizes, blocks = [], [], [], [], [], [], []
     energies = ca.SX.zeros(4)
 
     def add(rows, is_equality=True):
         g.append(rows)
+        lam.append(ca.SX.sym(f"lam{len(lam)}", rows.numel()))
         equality.extend([is_equality] * rows.numel())
         return rows.numel()
+
+    def add_held(rows):
+        """Rows on a state alone, and their part of the Hessian."""
+        return add(rows), ca.hessian(ca.dot(lam[-1], rows), state)[0]
 
     state = ca.SX.sym("x0", state_size)
     for k in range(structure.elements):
@@ -124,25 +132,34 @@ def build(structure: Structure) -> Nlp:
         r, q = state[:3], state[3:7]
         first, last = (state[7:], control) if scheme.STRAIN_IS_STATE else (control, control)
         h = steps[k]
-        displacement, q_next, mean = step(q, *scheme.screw(h, full(first), full(last)))
+        screw = scheme.screw(h, *(full(e, parameters["natural"]) for e in (first, last)))
+        displacement, q_next, mean = step(q, *screw)
         if k == 0:
             first_mean = mean
-        parts = scheme.elastic_energy(h, stiffness, first - rest[kept], last - rest[kept])
+        parts = scheme.elastic_energy(h, stiffness, first - natural, last - natural)
         for i, index in enumerate(kept):
             energies[0 if index < 2 else 1 if index == 2 else 2] += parts[i]
-        energies[3] -= h * ca.dot(
-            parameters["weight"], r - parameters["start_position"] + mean
-        )
+        weight, origin = parameters["weight"], parameters["start_position"]
+        energies[3] -= h * ca.dot(weight, r - origin + mean)
         reached = ca.vertcat(r + displacement, q_next)
         if scheme.STRAIN_IS_STATE:
             reached = ca.vertcat(reached, control)
         gaps.append(len(equality))
         add(following - reached)
-        rows = add(ends.start_rows(structure, r, q, parameters)) if k == 0 else 0
+        own = ca.vertcat(state, control)
+        load = [parameters["stiffness"], parameters["natural"], weight, factor, lam[-1][:7]]
+        hessian = ca.diagcat(ca.SX(3, 3), block(own[3:], h, *load))
+        rows = 0
+        if k == 0:
+            rows, held = add_held(ends.start_rows(structure, r, q, parameters))
+            hessian += ca.diagcat(held, ca.SX(size, size))
+        blocks.append(hessian)
         sizes.append((state_size, size, rows))
         state = following
     x.append(state)
-    sizes.append((state_size, 0, add(ends.end_rows(structure, state[:3], state[3:7], parameters))))
+    rows, held = add_held(ends.end_rows(structure, state[:3], state[3:7], parameters))
+    blocks.append(held)
+    sizes.append((state_size, 0, rows))
     return Nlp(
         structure=structure,
         x=ca.vertcat(*x),
@@ -151,6 +168,8 @@ def build(structure: Structure) -> Nlp:
         p=p,
         energies=energies,
         mean=first_mean,
+        multipliers=(factor, ca.vertcat(*lam)),
+        hessian=ca.diagcat(*blocks),
         equality=tuple(equality),
         gaps=tuple(gaps),
         stage_sizes=tuple(sizes),
