@@ -61,22 +61,24 @@ def built(structure: Structure, name: str):
             "tol": TOLERANCE,
             "max_iter": ITERATIONS,
         }
-    options["cache"] = {"nlp_hess_l": _hessian(nlp, name)}
+    options["cache"] = _derivatives(nlp, name)
     program = {"x": nlp.x, "g": nlp.g, "f": nlp.f, "p": nlp.p}
     return ca.nlpsol(f"rod_{name}", name, program, options)
 
 
-def _hessian(nlp: Nlp, name: str) -> ca.Function:
-    """Our Hessian in place of the one that CasADi would make, in the form that the plug-in asks for."""
-    inputs = [nlp.x, nlp.p, *nlp.multipliers]
-    names = ["x", "p", "lam_f", "lam_g"]
+def _derivatives(nlp: Nlp, name: str) -> dict:
+    """Our derivatives in place of those that CasADi would make, under the names and in the form that the
+    plug-ins ask for."""
+    inputs, names = [nlp.x, nlp.p, *nlp.multipliers], ["x", "p", "lam_f", "lam_g"]
     if name == "ipopt":
         outputs, titles = [ca.triu(nlp.hessian)], ["triu_hess_gamma_x_x"]
     else:
-        lagrangian = nlp.multipliers[0] * nlp.f + ca.dot(nlp.multipliers[1], nlp.g)
-        outputs = [ca.gradient(lagrangian, nlp.x), nlp.hessian]
-        titles = ["grad_gamma_x", "hess_gamma_x_x"]
-    return ca.Function("nlp_hess_l", inputs, outputs, names, titles)
+        outputs, titles = [nlp.gradient, nlp.hessian], ["grad_gamma_x", "hess_gamma_x_x"]
+    hessian = ca.Function("nlp_hess_l", inputs, outputs, names, titles)
+    jacobian = ca.Function(
+        "nlp_jac_g", inputs[:2], [nlp.g, nlp.jacobian], names[:2], ["g", "jac_g_x"]
+    )
+    return {"nlp_hess_l": hessian, "nlp_jac_g": jacobian}
 
 
 def first_use(structure: Structure, name: str) -> float:

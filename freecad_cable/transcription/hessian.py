@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Hessian of the Lagrangian, block by block.
+"""Derivatives of the program, block by block.
 
-Nothing couples two stages but the gaps, which are linear in the next state, so the Hessian is block
-diagonal. The block of an element is made once, symbolically, by the chain rule through the screw, and
+Nothing couples two stages but the gaps, which are linear in the next state, so the Hessian of the
+Lagrangian is block diagonal. The block of an element is made once, symbolically, by the chain rule through the screw, and
 written out for every element: half the operations, and a fraction of the building time, of
 differentiating the whole program.
 """
@@ -17,7 +17,8 @@ def conjugate(q):
 
 
 def element_block(scheme, structure, full) -> ca.Function:
-    """(q and strains, h, stiffness, natural, weight, λ_f, λ of the pose gap) → Hessian over q and strains.
+    """(q and strains, h, stiffness, natural, weight, λ_f, λ of the pose gap) → over q and strains: Hessian and
+    gradient of an element's part of the Lagrangian, and Jacobian (7, …) of the pose that it reaches.
 
     ``full`` completes the strains that the model keeps to (κ, v)."""
     size = len(structure.strains)
@@ -51,8 +52,15 @@ def element_block(scheme, structure, full) -> ca.Function:
     kept = list(structure.strains)
     rest = ca.vertcat(natural, 0, 0, 0)[kept]
     elastic = scheme.elastic_energy(h, stiffness[kept], first - rest, last - rest)
-    stiff = ca.hessian(factor * ca.sum1(elastic), strains)[0]
+    stiff, pull = ca.hessian(factor * ca.sum1(elastic), strains)
     stretched = along.T @ curved @ along + bent + stiff
     block = ca.triu2symm(ca.triu(ca.blockcat([[turning, mixed.T], [mixed, stretched]])))
+    gradient = ca.vertcat(-ca.jacobian(weights, q).T @ seen, along.T @ slope + pull)
+    d, e = ca.SX.sym("d", 3), ca.SX.sym("e", 4)
+    pose = ca.vertcat(rotate(q, d), multiply(q, e))
+    outer = ca.horzcat(ca.jacobian(pose, q), ca.jacobian(pose, ca.vertcat(d, e)))
+    outer = ca.substitute(outer, ca.vertcat(d, e), ca.vertcat(seen[:3], seen[6:]))
+    inner = ca.vertcat(lead[:3, :], lead[6:, :]) @ along
+    reach = ca.horzcat(outer[:, :4], outer[:, 4:] @ inner)
     inputs = [ca.vertcat(q, strains), h, stiffness, natural, weight, factor, gap]
-    return ca.Function("element_block", inputs, [block])
+    return ca.Function("element_block", inputs, [block, gradient, reach])

@@ -50,8 +50,12 @@ class Nlp:
     energies: ca.SX
     mean: ca.SX
     multipliers: tuple[ca.SX, ca.SX]
-    """λ_f and λ, in which ``hessian`` is written"""
+    """λ_f and λ, in which the next two are written"""
     hessian: ca.SX
+    gradient: ca.SX
+    """of the Lagrangian λ_f f + λ·g, in x"""
+    jacobian: ca.SX
+    """of g, in x"""
     equality: tuple[bool, ...]
     gaps: tuple[int, ...]
     stage_sizes: tuple[tuple[int, int, int], ...]
@@ -69,7 +73,7 @@ class Nlp:
     def second_variation(self):
         """(x, p, λ_f, λ) → (Hessian of the Lagrangian λ_f f + λ·g, Jacobian of the rows)."""
         inputs = [self.x, self.p, *self.multipliers]
-        return ca.Function("second_variation", inputs, [self.hessian, ca.jacobian(self.g, self.x)])
+        return ca.Function("second_variation", inputs, [self.hessian, self.jacobian])
 
     def split(self, x):
         """Decision vector → states [(nx,)] and controls [(nu,)], lists over stages."""
@@ -112,7 +116,7 @@ def build(structure: Structure) -> Nlp:
     block = element_block(scheme, structure, full)
     factor = ca.SX.sym("lam_f")
     state_size = 7 + (size if scheme.STRAIN_IS_STATE else 0)
-    x, g, lam, equality, gaps, sizes, blocks = [], [], [], [], [], [], []
+    x, g, lam, equality, gaps, sizes, blocks, gradient, jacobian = ([] for _ in range(9))
     energies = ca.SX.zeros(4)
 
     def add(rows, is_equality=True):
@@ -122,10 +126,18 @@ def build(structure: Structure) -> Nlp:
         return rows.numel()
 
     def add_held(rows):
-        """Rows on a state alone, and their part of the Hessian."""
-        return add(rows), ca.hessian(ca.dot(lam[-1], rows), state)[0]
+        """Rows on a state alone, and their part of Hessian and gradient."""
+        return add(rows), *ca.hessian(ca.dot(lam[-1], rows), state)
 
-    state = ca.SX.sym("x0", state_size)
+    width = structure.elements * (state_size + size) + state_size
+
+    def place(part, stage):
+        """Rows over the whole x, from columns that begin at a stage."""
+        before = stage * (state_size + size)
+        zeros = ca.SX(part.rows(), before), ca.SX(part.rows(), width - before - part.columns())
+        return ca.horzcat(zeros[0], part, zeros[1])
+
+    state, arriving = ca.SX.sym("x0", state_size), ca.SX.zeros(state_size)
     for k in range(structure.elements):
         control, following = ca.SX.sym(f"u{k}", size), ca.SX.sym(f"x{k + 1}", state_size)
         x += [state, control]
@@ -148,17 +160,34 @@ def build(structure: Structure) -> Nlp:
         add(following - reached)
         own = ca.vertcat(state, control)
         load = [parameters["stiffness"], parameters["natural"], weight, factor, lam[-1][:7]]
-        hessian = ca.diagcat(ca.SX(3, 3), block(own[3:], h, *load))
-        rows = 0
+        hessian, slope, reach = block(own[3:], h, *load)
+        hessian = ca.diagcat(ca.SX(3, 3), hessian)
+        slope = ca.vertcat(-factor * h * weight - lam[-1][:3], slope)
+        if scheme.STRAIN_IS_STATE:
+            slope[state_size:] -= lam[-1][7:]
+        slope[:state_size] += arriving
+        arriving, rows = lam[-1], 0
         if k == 0:
-            rows, held = add_held(ends.start_rows(structure, r, q, parameters))
+            rows, held, pull = add_held(ends.start_rows(structure, r, q, parameters))
             hessian += ca.diagcat(held, ca.SX(size, size))
+            slope[:state_size] += pull
         blocks.append(hessian)
+        gradient.append(slope)
+        lead = ca.SX(state_size, own.numel())
+        lead[:3, :3] = ca.SX.eye(3)
+        lead[:7, 3:] = reach
+        if scheme.STRAIN_IS_STATE:
+            lead[7:, state_size:] = ca.SX.eye(size)
+        jacobian.append(place(ca.horzcat(-lead, ca.SX.eye(state_size)), k))
+        if k == 0:
+            jacobian.append(place(ca.jacobian(g[-1], state), k))
         sizes.append((state_size, size, rows))
         state = following
     x.append(state)
-    rows, held = add_held(ends.end_rows(structure, state[:3], state[3:7], parameters))
+    rows, held, pull = add_held(ends.end_rows(structure, state[:3], state[3:7], parameters))
     blocks.append(held)
+    gradient.append(arriving + pull)
+    jacobian.append(place(ca.jacobian(g[-1], state), structure.elements))
     sizes.append((state_size, 0, rows))
     return Nlp(
         structure=structure,
@@ -170,6 +199,8 @@ def build(structure: Structure) -> Nlp:
         mean=first_mean,
         multipliers=(factor, ca.vertcat(*lam)),
         hessian=ca.diagcat(*blocks),
+        gradient=ca.vertcat(*gradient),
+        jacobian=ca.vertcat(*jacobian),
         equality=tuple(equality),
         gaps=tuple(gaps),
         stage_sizes=tuple(sizes),

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The derivatives that are written block by block against those that CasADi makes of the whole program."""
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from freecad_cable.transcription.nlp import build
+from freecad_cable.transcription.structure import Structure
+
+STRUCTURES = [
+    Structure("magnus", 4, "clamped", "clamped", (0, 1, 2)),
+    Structure("magnus", 3, "free", "clamped", (0, 1, 2, 3, 4, 5)),
+    Structure("magnus", 3, "pinned", "pinned", (0, 1, 5)),
+    Structure("helix", 4, "pinned", "swivel", (0, 1)),
+    Structure("helix", 3, "swivel", "pinned", (0, 1, 2, 5)),
+]
+
+
+@pytest.mark.parametrize("structure", STRUCTURES, ids=str)
+def test_derivatives(structure):
+    nlp = build(structure)
+    factor, multipliers = nlp.multipliers
+    lagrangian = factor * nlp.f + ca.dot(multipliers, nlp.g)
+    hessian, gradient = ca.hessian(lagrangian, nlp.x)
+    inputs = [nlp.x, nlp.p, factor, multipliers]
+    outputs = [
+        nlp.hessian - hessian,
+        nlp.gradient - gradient,
+        nlp.jacobian - ca.jacobian(nlp.g, nlp.x),
+    ]
+    difference = ca.Function("difference", inputs, outputs)
+    random = np.random.default_rng(1)
+    values = [random.normal(size=symbol.shape) for symbol in inputs]
+    # Rounding of some thousand operations on numbers of order 1 to 100.
+    for part in difference(*values):
+        assert np.abs(part.full()).max() < 1e-11
+
+
+def test_the_quaternion_keeps_its_norm():
+    nlp = build(STRUCTURES[0])
+    random = np.random.default_rng(2)
+    x = random.normal(size=nlp.x.numel()) * 0.5
+    states, _ = nlp.split(x)
+    q = states[0][3:7]
+    x[3:7] = q / np.linalg.norm(q)
+    p = np.abs(random.normal(size=nlp.p.numel()))
+    gaps = ca.Function("g", [nlp.x, nlp.p], [nlp.g])(x, p).full().ravel()
+    reached = states[1][3:7] - gaps[nlp.gaps[0] + 3 : nlp.gaps[0] + 7]
+    # The power series of the turn are cut at 1e-12 for one radian.
+    assert np.linalg.norm(reached) == pytest.approx(1, abs=1e-9)
