@@ -14,6 +14,10 @@ NO_SLACK = 1e-7
 """Slack, relative to the length, below which an inextensible cable has no finite tension that a
 computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 
+UNBALANCED = 0.2
+"""Residual of the independent balance check above which no answer passes as one. Splines through the nodes of
+good answers stay below 0.1, those of wrong ones reach 1."""
+
 
 def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution:
     """The stable equilibrium of a scene, to the tolerance of its options.
@@ -98,7 +102,8 @@ def _solution(problem, trial, model: Model) -> Solution:
     position = scaling.origin + shape.position * length
     force, moment = shape.force * scaling.force, shape.moment * scaling.energy
     curvature = shape.strain[:, :3] / length
-    status, message = _verdict(scene, trial)
+    check = balance(rod, scene.weight, arc_length, position, shape.quaternion, force)
+    status, message = _verdict(scene, trial, check)
     return Solution(
         scene=scene,
         status=status,
@@ -115,7 +120,7 @@ def _solution(problem, trial, model: Model) -> Solution:
         min_bend_radius=smallest_bend_radius(arc_length, curvature),
         stable=trial.stable,
         position_error=trial.error * length,
-        balance=balance(rod, scene.weight, arc_length, position, shape.quaternion, force),
+        balance=check,
         left_out=model.left_out,
         kept=model.kept,
         solver=_effort(problem, trial),
@@ -131,9 +136,14 @@ def _energy(problem, trial):
     return Energy(bending, torsion, stretch, gravity)
 
 
-def _verdict(scene, trial):
+def _verdict(scene, trial, check):
     if not trial.stable:
         return Status.UNSTABLE, Status.UNSTABLE.value
+    if max(check.moment, check.force) > UNBALANCED:
+        return Status.INACCURATE, (
+            f"{Status.INACCURATE.value} Recomputed from its nodes, its moments are out of balance by "
+            f"{max(check.moment, check.force):.0%} of the largest."
+        )
     tolerance = scene.options.tolerance
     if trial.error <= tolerance:
         return Status.CONVERGED, Status.CONVERGED.value

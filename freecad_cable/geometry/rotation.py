@@ -77,22 +77,21 @@ def logarithm(q):
 
 def from_tangent(t):
     """A quaternion (4,) whose d3 is the unit vector t (3,); its roll is arbitrary but deterministic."""
-    t = np.asarray(t, float)
-    if t[2] < -0.999999:
-        return np.array([0.0, 1.0, 0.0, 0.0])
-    q = np.array([1 + t[2], -t[1], t[0], 0.0])
-    return q / np.linalg.norm(q)
+    return shortest_arc((0.0, 0.0, 1.0), t)
 
 
 def shortest_arc(a, b):
     """The least rotation (4,) that turns unit vector a into unit vector b; any axis if they are opposite."""
     a, b = np.asarray(a, float), np.asarray(b, float)
-    w = 1 + a @ b
-    if w < 1e-9:
-        axis = np.cross(a, np.eye(3)[np.argmin(np.abs(a))])
-        return np.append(0.0, axis / np.linalg.norm(axis))
-    q = np.append(w, np.cross(a, b))
-    return q / np.linalg.norm(q)
+    if a @ b > -0.9:
+        q = np.append(1 + a @ b, cross(a, b))
+        return q / np.linalg.norm(q)
+    # All but opposite, where the axis drowns in rounding: half a turn about what is left of it, and a small rest.
+    axis = cross(a, b)
+    if np.linalg.norm(axis) < 1e-8:
+        axis = cross(a, np.eye(3)[np.argmin(np.abs(a))])
+    half_turn = np.append(0.0, axis / np.linalg.norm(axis))
+    return multiply(shortest_arc(-a, b), half_turn)
 
 
 def transport(q0, tangents):

@@ -15,10 +15,9 @@ from numpy.polynomial import legendre
 from scipy.sparse import bsr_matrix, csr_matrix, diags, eye, hstack, vstack
 from scipy.sparse.linalg import splu
 
-ORBIT = 1e-7
-"""Singular values of the scaled matrix below which it belongs to a symmetry. Near a solution that
-may turn freely they are of the size of the residual; those of a rod held in place are above
-1e-6."""
+ORBIT = 1e-6
+"""Singular value of the scaled matrix up to which it may belong to a symmetry: near a solution that
+may turn freely it is of the size of the residual."""
 
 MISSED = 1e-9
 """Largest residual that may be left because no correction on the orbits can remove it."""
@@ -71,13 +70,13 @@ def _to_legendre(stages):
     return (np.arange(stages)[:, None] + 0.5) * legendre.legvander(x, stages - 1).T * w
 
 
-def solve(rate, start, end, guess: Collocated, gauss: Gauss, scale) -> Collocated:
+def solve(rate, start, end, guess: Collocated, gauss: Gauss, scale, symmetries=0) -> Collocated:
     """The solution near ``guess``.
 
     ``rate(y)`` (..., d) gives f and its Jacobian, ``start(y)`` and ``end(y)`` the conditions at the
-    ends and theirs, together d; ``scale`` (d,) is the size of the unknowns. Where the solution is
-    one of a family that moves along a symmetry, it takes the one nearest to the guess. Errors:
-    ``NoSolutionError``.
+    ends and theirs, together d; ``scale`` (d,) is the size of the unknowns. ``symmetries`` is the
+    number of independent motions that take solutions to solutions; of such a family it finds the
+    one near the guess. Errors: ``NoSolutionError``.
     """
     step = np.diff(guess.mesh)
     nodes, stages = guess.nodes, guess.stages
@@ -93,7 +92,7 @@ def solve(rate, start, end, guess: Collocated, gauss: Gauss, scale) -> Collocate
 
     damping = 1.0
     for _ in range(60):
-        newton = _Newton(rate, start, end, nodes, stages, step, gauss, scale)
+        newton = _Newton(rate, start, end, nodes, stages, step, gauss, scale, symmetries)
         correction = newton.solve(residuals(nodes, stages))
         size = _size(correction, scale)
         while True:
@@ -121,7 +120,7 @@ def _size(correction, scale):
 class _Newton:
     """One linearisation, factored: stages are eliminated element by element, nodes solved together."""
 
-    def __init__(self, rate, start, end, nodes, stages, step, gauss, scale):
+    def __init__(self, rate, start, end, nodes, stages, step, gauss, scale, symmetries):
         n, k, d = stages.shape
         jacobian = rate(stages)[1]
         coupled = np.einsum("n,jl,nlab->njalb", step, gauss.matrix, jacobian)
@@ -132,6 +131,7 @@ class _Newton:
         self.shape = n, k, d
         self.scale = np.tile(scale, n + 1)
         self._factor(start(nodes[0])[1], np.eye(d) + self.sum @ self.spread, end(nodes[-1])[1])
+        self._find_orbits(symmetries)
 
     def _factor(self, first, transfer, last):
         n, _, d = self.shape
@@ -151,15 +151,14 @@ class _Newton:
         # An orbit of a symmetry makes the matrix singular; the shift lets it be factored all the
         # same.
         self.factors = splu((self.matrix + 1e-15 * eye(size)).tocsc())
-        self._find_orbits(size)
 
-    def _find_orbits(self, size):
-        """Bases of the null space, right and left, if inverse iteration finds one."""
-        self.right = self.left = None
-        probe = np.random.default_rng(0).normal(size=(size, 4))
-        right, left = np.linalg.qr(probe)[0], np.linalg.qr(probe)[0]
-        if np.linalg.norm(self.factors.solve(right[:, 0])) < 0.1 / ORBIT:
+    def _find_orbits(self, symmetries):
+        """Bases of the null space, right and left, by inverse iteration."""
+        size = len(self.weight)
+        self.right = self.left = np.zeros((size, 0))
+        if symmetries == 0:
             return
+        left = np.linalg.qr(np.random.default_rng(0).normal(size=(size, symmetries)))[0]
         for _ in range(3):
             right = np.linalg.qr(self.factors.solve(left))[0]
             left = np.linalg.qr(self.factors.solve(right, trans="T"))[0]
@@ -173,15 +172,12 @@ class _Newton:
         particular = -(self.inverse @ residual[1].reshape(n, k * d, 1))
         nodes = -residual[2] + (self.sum @ particular)[:, :, 0]
         rhs = np.concatenate((-residual[0], nodes.ravel(), -residual[3])) / self.weight
-        self.missed = 0.0
-        if self.left is not None:
-            outside = self.left @ (self.left.T @ rhs)
-            self.missed = np.abs(outside).max()
-            rhs = rhs - outside
+        outside = self.left @ (self.left.T @ rhs)
+        self.missed = np.abs(outside).max()
+        rhs = rhs - outside
         solution = self.factors.solve(rhs)
         solution += self.factors.solve(rhs - self.matrix @ solution)
-        if self.right is not None:
-            solution -= self.right @ (self.right.T @ solution)
+        solution -= self.right @ (self.right.T @ solution)
         correction = (solution * self.scale).reshape(n + 1, d)
         stages = particular + self.spread @ correction[:-1, :, None]
         return correction, stages.reshape(n, k, d)

@@ -92,8 +92,7 @@ def _elastica(arc_length, rate, first, m, turn, stiffness):
 
 
 def _second_kind(amplitude, m):
-    """E(φ, m) by Carlson's forms (DLMF 19.25.10): SciPy's ellipeinc is wrong in the first digit at
-    φ = 0.9937197, m = 0.0987176."""
+    """E(φ, m) by Carlson's forms (DLMF 19.25.10)."""
     turns = np.round(amplitude / math.pi)
     phi = amplitude - turns * math.pi
     sine, cosine = np.sin(phi), np.cos(phi)

@@ -4,6 +4,8 @@
 import numpy as np
 
 from ..geometry.guess import perpendicular
+from ..problem import Pinned
+from .collocation import NoSolutionError
 from .rod_equations import SIZE, M, N, Q, R, rotated_by_q, rotation
 
 D3 = np.array([0.0, 0.0, 1.0])
@@ -18,6 +20,28 @@ def conditions(end, force, moment):
     return {"clamped": _clamped, "swivel": _swivel, "pinned": _pinned, "free": _free}[end.kind](
         end, force, moment
     )
+
+
+def symmetries(scene, loads) -> int:
+    """How many independent motions of the whole rod change nothing about its problem.
+
+    A rod that bends alike in all directions may spin about itself if no end is clamped. Any rod may
+    turn about a line if the ends lie on it and are held along it, and weight and ``loads`` (k, 3)
+    act along it; a clamped one must spin back, so it has to bend alike. Two pins in one point
+    without weight leave all turns free.
+    """
+    ends = [end for end in (scene.start, scene.end) if isinstance(end, Pinned)]
+    held = [end.tangent for end in ends if end.kind == "swivel"]
+    held += [rotation(end.quaternion)[:, 2] for end in ends if end.kind == "clamped"]
+    clamped = any(end.kind == "clamped" for end in ends)
+    spin = int(scene.rod.isotropic and not clamped)
+    chord = ends[-1].position - ends[0].position
+    directions = [v for v in (chord, *held, scene.weight, *loads) if v.any()]
+    if not directions:
+        return spin + 3
+    axis = directions[0] / np.linalg.norm(directions[0])
+    off = max(np.linalg.norm(np.cross(axis, v)) / np.linalg.norm(v) for v in directions)
+    return spin + int(off < 1e-9 and (scene.rod.isotropic or not clamped))
 
 
 def with_unit_quaternion(conditions):
@@ -56,13 +80,15 @@ def _clamped(end, force, moment):
 
 def _swivel(end, force, moment):
     # The tangent of half the angle between d3 and the tangent held: zero at it, infinite at its
-    # opposite.
+    # opposite, where the sine would vanish too.
     first = perpendicular(end.tangent)
     across = np.stack((first, np.cross(end.tangent, first)))
 
     def turn(y):
         d3, d3_q = rotation(y[Q])[:, 2], rotated_by_q(y[Q], D3)
         aside, ahead = across @ d3, 1 + end.tangent @ d3
+        if ahead < 1e-6:
+            raise NoSolutionError(f"the {end.place} points against the tangent it is held at")
         rows = np.zeros((3, SIZE))
         rows[:2, Q] = across @ d3_q / ahead - np.outer(aside, end.tangent @ d3_q) / ahead**2
         rows[2, M] = end.tangent

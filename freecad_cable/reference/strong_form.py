@@ -20,6 +20,9 @@ from .state import RodState
 
 ZERO = np.zeros(3)
 LARGEST_MESH = 5000
+ROUGH = 1e-3
+"""Last Legendre coefficient of an element's y' times its length from which it is split: it grades
+the mesh, so that layers at the ends do not ask for a fine mesh everywhere."""
 
 
 def equilibrium(
@@ -49,6 +52,7 @@ def equilibrium(
             raise NotYetError(
                 name, "the strong form knows a rod between its ends only; leave them out"
             )
+    end_force, end_moment = np.asarray(end_force, float), np.asarray(end_moment, float)
     units = _Units(scene)
     rod = units.equations(scene)
     first = held.conditions(units.end(scene.start), ZERO, ZERO)
@@ -56,18 +60,18 @@ def equilibrium(
     nodes = units.nodes(start, rod)
     scale = np.repeat((1.0, 1.0, _peak(nodes[:, N]), _peak(nodes[:, M])), (3, 4, 3, 3))
     gauss = Gauss.of(stages)
+    symmetries = held.symmetries(scene, (end_force, end_moment))
 
     def solved(guess):
         if len(guess.mesh) > LARGEST_MESH:
             raise NoSolutionError(f"{LARGEST_MESH} elements are not fine enough")
-        return solve(rod.rate, held.with_unit_quaternion(first), last, guess, gauss, scale)
+        start_conditions = held.with_unit_quaternion(first)
+        return solve(rod.rate, start_conditions, last, guess, gauss, scale, symmetries)
 
     found = solved(_first_guess(start.arc_length / units.length, nodes, gauss))
     while True:
         rough = np.max(gauss.tail(rod.rate(found.stages)[0]) / scale, axis=1) * np.diff(found.mesh)
-        # Nodes are of order 2k where the last coefficient is of order k: its square is what they
-        # miss.
-        if not (marked := rough > np.sqrt(tolerance)).any():
+        if not (marked := rough > ROUGH).any():
             break
         found = solved(_split(found, marked, gauss, rod))
     while True:

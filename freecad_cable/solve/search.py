@@ -14,6 +14,7 @@ from ..transcription.guess import guess, hangs, roll_mismatch
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import mesh
+from .continuation import continued, taut_chord
 from .trial import Problem, Trial
 
 GARBAGE = 0.02
@@ -21,15 +22,6 @@ GARBAGE = 0.02
 HEAVY = 3e3
 """Weight ratio above which a cold start is wasted time (measured: from here it needs over 100 iterations or
 fails) and continuation in weight is the first thing to try."""
-LIGHT = 100.0
-"""Weight ratio with which continuation begins."""
-TAUT = 0.97
-"""Distance of the ends, relative to the length, with which continuation begins."""
-DRIFT = 1e-3
-"""Error estimate above which a step of continuation was too long: the layers at the ends have become narrower than
-the mesh, and a scheme that is not conforming then finds minima that are none."""
-FACTOR = 4.0
-"""Growth of the weight, and loss of slack, in one step of continuation."""
 SCARCE = 1e-3
 """Slack, relative to the length, below which continuation comes first."""
 LOOSE = 0.65
@@ -67,10 +59,10 @@ def _better(trial, other):
 
 def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
     """Converged trials, cheapest first, made as they are asked for."""
-    taut = _taut_chord(problem.scene) > 1 - SCARCE
+    taut = taut_chord(problem.scene) > 1 - SCARCE
     ways = [
         lambda: _direct(problem, arc_length),
-        lambda: _continued(problem, len(arc_length) - 1),
+        lambda: continued(problem, len(arc_length) - 1),
     ]
     if taut or problem.scaling.weight_ratio > HEAVY:
         ways.reverse()
@@ -93,49 +85,6 @@ def _direct(problem, arc_length):
         starts.append(guess(scene, scaling, arc_length, chain=not hangs(scaling)))
     trials = [problem.solve(each) for each in starts]
     yield from sorted((t for t in trials if t is not None), key=lambda trial: trial.energy)
-
-
-def _continued(problem, elements):
-    """Grow the weight from ``LIGHT`` and pull the ends apart from ``TAUT``, re-meshing on the way."""
-    scene, scaling = problem.scene, problem.scaling
-    load = min(1.0, LIGHT / max(scaling.weight_ratio, LIGHT))
-    chord = _taut_chord(scene)
-    slack = max(1 - chord, 1e-9)
-    loose = max(1 - TAUT, slack)
-    if load == 1.0 and loose == slack:
-        return
-    elements = max(elements, 2 * mesh.COARSE)
-
-    def at(progress):
-        """Both by equal factors: the weight, and the slack that is left."""
-        reach = 1.0 if loose == slack else (1 - loose ** (1 - progress) * slack**progress) / chord
-        return {"load": load ** (1 - progress), "reach": reach}
-
-    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load))
-    trial = problem.solve(guess(scene, scaling, arc_length), **at(0))
-    longest = 1 / np.ceil(max(np.log(1 / load), np.log(loose / slack)) / np.log(FACTOR))
-    progress, step = 0.0, longest
-    while trial is not None and progress < 1:
-        ahead = min(1.0, progress + step)
-        following = problem.solve(
-            trial.shape.on(mesh.refined(trial.shape, elements)), **at(ahead), fallback=step < longest
-        )
-        if following is None or following.error > DRIFT:
-            step /= 2
-            if step < longest / 16:
-                return
-            continue
-        trial, progress, step = following, ahead, min(longest, step * 1.5)
-    if trial is not None:
-        yield trial
-
-
-def _taut_chord(scene):
-    """Distance of the ends relative to the length, where it can make an inextensible cable taut; else 0."""
-    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
-    if not held or scene.rod.axial_stiffness is not None:
-        return 0.0
-    return scene.chord / scene.rod.length
 
 
 def _elsewhere(problem, arc_length):

@@ -81,7 +81,7 @@ def test_a_family_of_solutions_gives_the_one_near_the_guess():
     for guess in (0.0, 5.0):
         nodes, stages = np.full((9, 2), guess), np.full((8, 2, 2), guess)
         start = Collocated(np.linspace(0, 1, 9), nodes, stages)
-        found = solve(rate, at(1, 3.0), at(1, 3.0), start, Gauss.of(2), np.ones(2)).nodes
+        found = solve(rate, at(1, 3.0), at(1, 3.0), start, Gauss.of(2), np.ones(2), 1).nodes
         assert found[:, 1] == pytest.approx(3.0, abs=1e-12)
         assert found[:, 0].mean() == pytest.approx(guess, abs=1e-9)
         assert np.diff(found[:, 0]) == pytest.approx(3 / 8, abs=1e-12)

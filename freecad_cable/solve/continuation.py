@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Heavy and taut cables: from an easy one to the one asked for, in steps that the mesh can follow.
+
+Under more weight or with less slack the bending layers at the ends become narrower, so each step starts from the
+last shape on a mesh that suits it, and a step that the mesh cannot follow is halved.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..problem import Pinned
+from ..transcription.guess import guess
+from . import mesh
+from .trial import Problem, Trial
+
+LIGHT = 100.0
+"""Weight ratio with which continuation begins."""
+TAUT = 0.97
+"""Distance of the ends, relative to the length, with which continuation begins."""
+FACTOR = 4.0
+"""Growth of the weight, and loss of slack, in one step."""
+SHORTEST = 1 / 32
+"""Shortest step, as a share of the longest."""
+DRIFT = 1e-3
+"""Error estimate above which a step was too long for the mesh."""
+
+
+def taut_chord(scene) -> float:
+    """Distance of the ends relative to the length, where it can make an inextensible cable taut; else 0."""
+    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
+    if not held or scene.rod.axial_stiffness is not None:
+        return 0.0
+    return scene.chord / scene.rod.length
+
+
+def continued(problem: Problem, elements: int) -> Iterator[Trial]:
+    """The scene's equilibrium, if continuation arrives there; nothing if there is nothing to continue in."""
+    scene, scaling = problem.scene, problem.scaling
+    load = min(1.0, LIGHT / max(scaling.weight_ratio, LIGHT))
+    chord = taut_chord(scene)
+    slack = max(1 - chord, 1e-9)
+    loose = max(1 - TAUT, slack)
+    if load == 1.0 and loose == slack:
+        return
+    elements = max(elements, 2 * mesh.COARSE)
+
+    def at(progress):
+        """Both by equal factors: the weight, and the slack that is left."""
+        reach = 1.0 if loose == slack else (1 - loose ** (1 - progress) * slack**progress) / chord
+        return {"load": load ** (1 - progress), "reach": reach}
+
+    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load))
+    trial = problem.solve(guess(scene, scaling, arc_length), **at(0))
+    longest = 1 / np.ceil(np.log(max(1 / load, loose / slack)) / np.log(FACTOR))
+    progress, step = 0.0, longest
+    while trial is not None and progress < 1:
+        ahead = min(1.0, progress + step)
+        start = trial.shape.on(mesh.refined(trial.shape, elements))
+        following = problem.solve(start, **at(ahead), fallback=step <= longest * SHORTEST)
+        if following is None or following.error > DRIFT:
+            step /= 2
+            if step < longest * SHORTEST:
+                return
+            continue
+        trial, progress, step = following, ahead, min(longest, 1.5 * step)
+    if trial is not None:
+        yield trial
