@@ -5,8 +5,8 @@ import numpy as np
 
 from .errors import SolverMissingError
 from .geometry import rotation
-from .problem import Pinned, Scene
-from .problem.reduce import Model, reduce
+from .problem import Clamped, Pinned, Scene
+from .problem.reduce import Model, orientation, reduce
 from .result import Energy, Load, Solution, balance, smallest_bend_radius
 from .status import Status
 
@@ -14,6 +14,9 @@ NO_SLACK = 1e-7
 """Slack, relative to the length, below which an inextensible cable has no finite tension that a
 computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 
+NEAR = 0.1
+"""Change of length, of an end's place in lengths and of its direction in half turns, up to which an earlier shape is
+a start."""
 UNBALANCED = 0.2
 """Residual of the independent balance check above which no answer passes as one. Splines through the nodes of
 good answers stay below 0.1, those of wrong ones reach 1."""
@@ -22,7 +25,8 @@ good answers stay below 0.1, those of wrong ones reach 1."""
 def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution:
     """The stable equilibrium of a scene, to the tolerance of its options.
 
-    ``start``, the solution of a similar scene, keeps the branch that the cable is on and is quicker.
+    ``start``, the solution of a scene that differs little, keeps the branch that the cable is on and is quicker;
+    one that differs much is ignored.
     Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi.
     """
     model = reduce(scene)
@@ -40,7 +44,7 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
         ) from error
     problem = Problem.of(scene, model)
     try:
-        trial = find(problem, None if start is None else _nodes(start, problem.scaling))
+        trial = find(problem, None if start is None else _nodes(start, problem))
     except TimeUpError:
         message = f"{Status.TIME_LIMIT.value} It is {scene.options.time_limit:g} s."
         return Solution(scene=scene, status=Status.TIME_LIMIT, message=message)
@@ -77,11 +81,12 @@ def _advice(scene):
     return "Check lengths, stiffness and mass for a wrong unit; a different length may be easier."
 
 
-def _nodes(solution, scaling):
-    """The nodes of an earlier solution, without units, as a start for this one."""
+def _nodes(solution, problem):
+    """The nodes of an earlier solution, without units, as a start for this one; None if it is too far."""
     from .transcription.shape import Shape
 
-    if solution.position is None:
+    scene, scaling = problem.scene, problem.scaling
+    if solution.position is None or not _near(solution, scene):
         return None
     span = solution.arc_length[-1]
     curvature = np.hstack([solution.curvature * span, np.zeros_like(solution.curvature)])
@@ -93,6 +98,27 @@ def _nodes(solution, scaling):
         solution.force / scaling.force,
         solution.moment / scaling.energy,
     )
+
+
+def _near(solution, scene) -> bool:
+    """Whether an earlier shape is so near that a cable moved from there to here would keep its branch. From
+    farther away the iteration may end on any, and the answer would depend on the history of the document."""
+    length = scene.rod.length
+    if abs(solution.arc_length[-1] / length - 1) > NEAR:
+        return False
+    for end, node in ((scene.start, 0), (scene.end, -1)):
+        if isinstance(end, Pinned):
+            if np.linalg.norm(solution.position[node] - end.position) > NEAR * length:
+                return False
+        tangent = orientation(end)
+        if tangent is not None:
+            if rotation.tangent(solution.quaternion[node]) @ tangent < np.cos(np.pi * NEAR):
+                return False
+        if isinstance(end, Clamped):
+            turn = rotation.multiply(rotation.conjugate(end.quaternion), solution.quaternion[node])
+            if abs(turn[0]) < np.cos(np.pi * NEAR / 2):
+                return False
+    return True
 
 
 def _solution(problem, trial, model: Model) -> Solution:

@@ -6,11 +6,13 @@ the distance of the ends; starts that send the slack elsewhere. Then off any sad
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
-from ..problem import Pinned
-from ..transcription.guess import guess, hangs, roll_mismatch
+from ..problem import Pinned, Swivel
+from ..problem.reduce import orientation, reduce
+from ..transcription.guess import guess, hangs, roll_mismatch, rolled
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import mesh
@@ -24,6 +26,8 @@ HEAVY = 3e3
 fails) and continuation in weight is the first thing to try."""
 SCARCE = 1e-3
 """Slack, relative to the length, below which continuation comes first."""
+SOFT = 0.2
+"""GJ/EI below which a cable hardly resists twist."""
 LOOSE = 0.65
 """Chord, relative to the length, below which a cable may as well loop as hang: both are tried."""
 DOUBTFUL_ROLL = 2.0
@@ -66,6 +70,9 @@ def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
     ]
     if taut or problem.scaling.weight_ratio > HEAVY:
         ways.reverse()
+    if problem.scene.options.elements is None:
+        # A soft or sharply bent cable may need more elements before its program has the right minimum at all.
+        ways.append(lambda: _direct(problem, mesh.uniform(3 * mesh.COARSE)))
     for way in ways:
         yield from way()
     yield from _elsewhere(problem, arc_length)
@@ -74,6 +81,10 @@ def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
 def _direct(problem, arc_length):
     """From the guess, and from its rivals where more than one is natural."""
     scene, scaling = problem.scene, problem.scaling
+    if (without_torsion := _without_torsion(problem, arc_length)) is not None:
+        trial = problem.solve(without_torsion)
+        if trial is not None:
+            yield trial
     start = guess(scene, scaling, arc_length)
     starts = [start]
     if problem.model.twist:
@@ -85,6 +96,21 @@ def _direct(problem, arc_length):
         starts.append(guess(scene, scaling, arc_length, chain=not hangs(scaling)))
     trials = [problem.solve(each) for each in starts]
     yield from sorted((t for t in trials if t is not None), key=lambda trial: trial.energy)
+
+
+def _without_torsion(problem, arc_length):
+    """A start for a cable that hardly resists twist: its shape with an end free to twist, rolled to fit. From the
+    plain guess the soft twist runs away to other numbers of turns."""
+    scene, rod = problem.scene, problem.scene.rod
+    soft = rod.torsional_stiffness < SOFT * rod.bending_stiffness[0]
+    if not (problem.model.twist and rod.isotropic and soft):
+        return None
+    loose = replace(scene, end=Swivel(scene.end.position, orientation(scene.end)))
+    trial = find(replace(problem, scene=loose, model=reduce(loose)))
+    if trial is None:
+        return None
+    shape = trial.shape.on(arc_length)
+    return rolled(scene, problem.scaling, arc_length, shape.position, shape.quaternion)
 
 
 def _elsewhere(problem, arc_length):

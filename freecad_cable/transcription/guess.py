@@ -31,6 +31,13 @@ def guess(scene: Scene, scaling: Scaling, arc_length, *, turns=0, chain=None, sa
     start = scene.start
     first = start.quaternion if isinstance(start, Clamped) else rotation.from_tangent(tangent[0])
     quaternion = rotation.transport(first, tangent)
+    return rolled(scene, scaling, arc_length, position, quaternion, turns)
+
+
+def rolled(scene, scaling, arc_length, position, quaternion, turns=0) -> Shape:
+    """Frames without twist (n+1, 4) rolled about their tangents so that they satisfy the ends, the twist spread
+    evenly beside the natural one."""
+    start = scene.start
     natural_twist = scene.rod.natural_curvature[2] * scaling.length
     if isinstance(scene.end, Clamped):
         last = rotation.multiply(rotation.conjugate(quaternion[-1]), scene.end.quaternion)
