@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One problem, one row. A failure is a row as well.
+
+Times are wall-clock seconds of ``find_equilibrium`` as a whole unless named otherwise. Of repeats the least
+counts: other work on the machine only ever adds time.
+"""
+
+import math
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.interpolate import BPoly
+
+from benchmarks.cases import Case, moved
+from freecad_cable.equilibrium import find_equilibrium
+from freecad_cable.geometry import rotation
+from freecad_cable.options import SolveOptions
+from freecad_cable.problem import Scene
+from freecad_cable.reference.state import RodState
+from freecad_cable.reference.strong_form import equilibrium
+from freecad_cable.result import Solution
+
+REPEATS = 5
+PATIENCE = 0.8
+"""[s] after which no further repeat begins."""
+ANOTHER = 0.01
+"""Distance, relative to the length, from which a shape is another equilibrium and not an error."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """What one answer cost and how good it is; lengths relative to the cable's, times in seconds."""
+
+    case: str
+    scheme: str
+    solver: str
+    tolerance: float
+    status: str = ""
+    message: str = ""
+    first: float | None = None
+    """the first run, with the building of solvers that no earlier row has built"""
+    build: float | None = None
+    """the building in it"""
+    cold: float | None = None
+    warm: float | None = None
+    """after a drag step, from the solution before it"""
+    iterations: int | None = None
+    warm_iterations: int | None = None
+    elements: int | None = None
+    error: float | None = None
+    """true: largest distance of a node from its exact place"""
+    estimate: float | None = None
+    energy_error: float | None = None
+    """against the exact energy, relative to its parts without their signs"""
+    energy: float | None = None
+    """[J], to tell equilibria apart"""
+
+
+def work(case: Case, options: SolveOptions, known: "Exact") -> Work:
+    row = Work(case.name, options.scheme, options.solver, options.tolerance)
+    try:
+        return _work(row, case.solved_with(options), known)
+    except Exception as error:  # noqa: BLE001  Whatever goes wrong with a problem is its row.
+        return replace(row, status=type(error).__name__, message=str(error))
+
+
+def _work(row, scene, known):
+    solution, first = _timed(scene)
+    row = replace(row, status=solution.status.name, message=solution.message, first=first)
+    if solution.position is None:
+        return row
+    length = scene.rod.length
+    row = replace(
+        row,
+        build=solution.solver["build_time"],
+        cold=_least(scene)[1],
+        iterations=solution.solver["iterations"],
+        elements=solution.solver["elements"],
+        estimate=solution.position_error / length,
+        energy=solution.energy.total,
+    )
+    warm, seconds = _least(moved(scene), solution)
+    if warm.status.success or not solution.status.success:
+        row = replace(row, warm=seconds, warm_iterations=warm.solver["iterations"])
+    else:
+        row = replace(row, message=f"{row.message} The drag step: {warm.message}")
+    exact = known.near(row.case, solution)
+    parts = exact.state.energy
+    size = abs(parts.bending) + abs(parts.torsion) + abs(parts.gravity)
+    return replace(
+        row,
+        error=exact.distance(solution) / length,
+        energy_error=abs(solution.energy.total - parts.total) / size,
+    )
+
+
+def _timed(scene, start=None) -> tuple[Solution, float]:
+    begin = time.perf_counter()
+    solution = find_equilibrium(scene, start=start)
+    return solution, time.perf_counter() - begin
+
+
+def _least(scene, start=None):
+    """(solution, least time of some repeats), with solvers that are built.
+
+    The first repeat does not count if it had to build: a warm start may need a mesh of its own.
+    """
+    least, spent = math.inf, 0.0
+    for _ in range(REPEATS):
+        solution, seconds = _timed(scene, start)
+        least = min(least, seconds - solution.solver.get("build_time", 0.0))
+        spent += seconds
+        if spent > PATIENCE:
+            break
+    return solution, least
+
+
+class Exact:
+    """The exact equilibria of each case, solved in strong form as they are met."""
+
+    def __init__(self):
+        self.branches: dict[str, list[Branch]] = {}
+
+    def near(self, name: str, solution: Solution) -> "Branch":
+        """The equilibrium that a solution of this case is near to. Errors: ``NoSolutionError``."""
+        branches = self.branches.setdefault(name, [])
+        for branch in branches:
+            if branch.distance(solution) < ANOTHER * solution.scene.rod.length:
+                return branch
+        branches.append(Branch(solution.scene, equilibrium(solution.scene, solution)))
+        return branches[-1]
+
+
+class Branch:
+    """One exact equilibrium of a rod that neither stretches nor shears, read at any arc length: quintic
+    polynomials through position, tangent and curvature of its nodes."""
+
+    def __init__(self, scene: Scene, state: RodState):
+        self.state = state
+        frames = rotation.matrix(state.quaternion)
+        moment = np.einsum("kij,ki->kj", frames, state.moment)
+        curvature = scene.rod.natural_curvature + moment / scene.rod.stiffness
+        bend = np.einsum("kij,kj->ki", frames, np.cross(curvature, [0.0, 0.0, 1.0]))
+        given = np.stack([state.position, frames[:, :, 2], bend], axis=1)
+        self.position = BPoly.from_derivatives(state.arc_length, given)
+        rough = BPoly.from_derivatives(state.arc_length[::2], given[::2])
+        between = rough(state.arc_length) - state.position
+        # Twice the nodes, 2⁶ times the accuracy.
+        interpolation = np.linalg.norm(between, axis=1).max() / 2**6
+        self.uncertainty = (state.error + interpolation) / scene.rod.length
+        """how well it is known, relative to the length"""
+
+    def distance(self, solution: Solution) -> float:
+        """Largest distance of a node of the solution from its exact place [m]."""
+        apart = solution.position - self.position(solution.arc_length)
+        return float(np.linalg.norm(apart, axis=1).max())
+
+
+@dataclass(frozen=True)
+class Race:
+    """The least times of many solves on one uniform mesh; [s]."""
+
+    case: str
+    scheme: str
+    solver: str
+    elements: int
+    solver_seconds: float
+    """in the solver alone"""
+    seconds: float
+    """in all"""
+
+
+def race(cases: tuple[Case, ...], scheme: str, elements: int, rounds: int) -> list[Race]:
+    """fatrop and ipopt in turns, so that both see the same machine."""
+    best = {}
+    for _ in range(rounds + 1):
+        for case in cases:
+            for solver in ("fatrop", "ipopt"):
+                options = SolveOptions(scheme=scheme, solver=solver, elements=elements)
+                solution, seconds = _timed(case.solved_with(options))
+                found = solution.raise_for_status().solver
+                new = found["solve_time"], seconds
+                old = best.get((case.name, solver), (math.inf, math.inf))
+                best[case.name, solver] = tuple(map(min, old, new))
+    return [Race(name, scheme, solver, elements, *times) for (name, solver), times in best.items()]
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """One uniform mesh of a case, solved by fatrop; error relative to the length, times in seconds."""
+
+    case: str
+    scheme: str
+    elements: int
+    build: float
+    cold: float
+    error: float
+    estimate: float
+
+
+def mesh(case: Case, scheme: str, elements: int, known: Exact) -> Mesh:
+    scene = case.solved_with(SolveOptions(scheme=scheme, solver="fatrop", elements=elements))
+    first, _ = _timed(scene)
+    solution, cold = _least(scene)
+    length = scene.rod.length
+    error = known.near(case.name, solution.raise_for_status()).distance(solution) / length
+    estimate = solution.position_error / length
+    return Mesh(case.name, scheme, elements, first.solver["build_time"], cold, error, estimate)
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One run of one problem of the extreme grid; times in seconds, estimate relative to the length."""
+
+    weight_ratio: float
+    length_ratio: float
+    status: str
+    message: str = ""
+    seconds: float | None = None
+    """without the building of solvers, as far as it is known: not where a time limit struck"""
+    build: float | None = None
+    iterations: int | None = None
+    elements: int | None = None
+    estimate: float | None = None
+    balance_moment: float | None = None
+    """residual of the independent check, relative to the largest moment"""
+    balance_force: float | None = None
+
+
+def cell(weight_ratio: float, length_ratio: float, scene: Scene) -> Cell:
+    begin = time.perf_counter()
+    try:
+        solution = find_equilibrium(scene)
+    except Exception as error:  # noqa: BLE001  Whatever goes wrong with a problem is its row.
+        seconds = time.perf_counter() - begin
+        return Cell(weight_ratio, length_ratio, type(error).__name__, str(error), seconds)
+    seconds = time.perf_counter() - begin
+    build = solution.solver.get("build_time", 0.0)
+    row = Cell(
+        weight_ratio,
+        length_ratio,
+        solution.status.name,
+        solution.message,
+        seconds - build,
+        build,
+        solution.solver.get("iterations"),
+        solution.solver.get("elements"),
+    )
+    if solution.position is None:
+        return row
+    row = replace(row, estimate=solution.position_error / scene.rod.length)
+    check = solution.balance
+    return replace(row, balance_moment=check.moment, balance_force=check.force)

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The demo from beginning to end."""
+
+import contextlib
+import os
+import sys
+import time
+from pathlib import Path
+
+import FreeCAD
+import Import
+import Part
+
+from ..errors import CableError, DocumentError
+from . import equipment, table, table_1
+from .comparison import compare
+from .pictures import picture_curvature, picture_shapes
+
+SCENES = {"table-1": table_1, "equipment": equipment}
+"""Name of the files: module that builds the document."""
+
+
+def main(arguments):
+    """Build and solve the demo, write it into the folder ``arguments[0]``, return the exit status.
+
+    0, or 1 and a sentence on stderr if a cable has no sound solid or a file cannot be written.
+    """
+    folder = Path(arguments[0])
+    begin = time.monotonic()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with _only_ours() as say:
+            files = [file for name in SCENES for file in _run(name, folder, say)]
+            say(f"\nDone in {time.monotonic() - begin:.0f} s. The files in {folder}:")
+            for file in files:
+                say(f"  {file.name:<24}{file.stat().st_size / 1000:8.0f} kB")
+    except (CableError, OSError) as error:
+        print(f"The demo stopped: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+@contextlib.contextmanager
+def _only_ours():
+    """A function that prints, while what FreeCAD and OCCT print is dropped.
+
+    They write percentages and statistics past Python, which would bury the progress.
+    """
+    sys.stdout.flush()
+    with os.fdopen(os.dup(1), "w", encoding="utf-8") as ours, open(os.devnull, "w") as nothing:
+        os.dup2(nothing.fileno(), 1)
+        try:
+            yield lambda line: print(line, file=ours, flush=True)
+        finally:
+            os.dup2(ours.fileno(), 1)
+
+
+def _run(name, folder, say):
+    """Build one document and write its files; returns their paths."""
+    scene = SCENES[name]
+    say(f"\n{scene.TITLE}\n")
+    document = FreeCAD.newDocument()
+    try:
+        comparisons, cables = [], []
+        for cable, route in scene.build(document):
+            begin = time.monotonic()
+            document.recompute()
+            _check(cable, route)
+            comparisons.append(compare(cable, route))
+            cables.append(cable)
+            say(f"  {cable.Label}: {time.monotonic() - begin:.2f} s. {cable.Status}")
+        say("")
+        for line in table.in_words(comparisons):
+            say(f"  {line}")
+        say("\n  writing the files")
+        return _write(folder / name, scene, document, cables, comparisons)
+    finally:
+        FreeCAD.closeDocument(document.Name)
+
+
+def _check(cable, route):
+    """Errors: ``DocumentError`` if either failed or the cable has no sound solid."""
+    for obj in (cable, route):
+        if not obj.isValid():
+            raise DocumentError(obj.Status)
+    if not (cable.Shape.isValid() and cable.Shape.isClosed()):
+        raise DocumentError(f"{cable.Label} has no valid closed solid.")
+
+
+def _write(stem, scene, document, cables, comparisons):
+    """The files, named ``stem`` and more."""
+    ends = (".FCStd", ".step", ".csv", "-shapes.png", "-curvature.png")
+    store, step, rows, shapes, curvature = files = [stem.with_name(stem.name + end) for end in ends]
+    parts = scene.parts(document)
+    document.saveAs(str(store))
+    Import.export([*parts, *cables], str(step))
+    table.write_csv(rows, comparisons)
+    solids = [solid for part in parts for solid in Part.getShape(part).Solids]
+    picture_shapes(shapes, scene.TITLE, comparisons, solids, scene.VIEW)
+    picture_curvature(
+        curvature, "Curvature of the same cables and routes", comparisons, scene.COLUMNS
+    )
+    return files

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cable: reads its scene, has it solved, keeps the answer, sweeps the solid."""
+
+import Part
+from FreeCAD import Placement, Vector
+
+from ..equilibrium import find_equilibrium
+from ..errors import DocumentError
+from ..shape.centreline import centreline_wire
+from ..shape.profile import profile
+from ..shape.sweep import sweep_profile, sweep_round
+from . import results, stored_solution
+from .property_table import Prop, wrong
+from .proxy import IncompleteError, Proxy, in_use
+from .read_scene import read_scene
+from .stored_solution import fingerprint, keep, kept
+
+PROFILE_DECIMALS = 7
+"""Of the coordinates of a profile in mm: OCCT's smallest distance."""
+
+
+class Cable(Proxy):
+    """A flexible cable between two terminals."""
+
+    TABLE = (
+        Prop("CableType", "LinkGlobal", "Cable", "What the cable is made of"),
+        Prop("Start", "Link", "Cable", "Terminal where the cable starts"),
+        Prop("End", "Link", "Cable", "Terminal where the cable ends"),
+        Prop(
+            "LengthMode",
+            "Enumeration",
+            "Cable",
+            "Fixed: the length is given. Slack: it follows from the distance of the terminals",
+            "Fixed",
+            choices=("Fixed", "Slack"),
+        ),
+        Prop("Length", "Distance", "Cable", "Length of the unloaded cable", "500 mm", unit="mm"),
+        Prop(
+            "Slack",
+            "Float",
+            "Cable",
+            "(length - distance) / distance, with the straight distance of the terminals; 0.1 is 10 %",
+            0.1,
+        ),
+        Prop(
+            "Gravity",
+            "Vector",
+            "Cable",
+            "Acceleration of gravity in m/s^2, in the coordinates of the container of the cable",
+            Vector(0, 0, -9.81),
+        ),
+        Prop("Tolerance", "Float", "Cable", "Error of position asked for, relative to the length", 1e-4),
+        Prop(
+            "Profile",
+            "LinkGlobal",
+            "Cable",
+            "Closed sketch swept instead of a circle: its x and y turn with the axes of the section",
+        ),
+        Prop("Centreline", "LinkHidden", "Cable", "Its centreline, drawn as a wire of its own", result=True),
+        *results.TABLE,
+        *stored_solution.TABLE,
+    )
+
+    follows_placements = True
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        if obj.Centreline and obj.Centreline.Cable is not obj:
+            obj.Centreline = None  # of the cable this one is a copy of
+
+    def set_editor_modes(self, obj):
+        # The terminals decide.
+        obj.setEditorMode("Placement", 2)
+        obj.setEditorMode("Length", 0 if obj.LengthMode == "Fixed" else 2)
+        obj.setEditorMode("Slack", 0 if obj.LengthMode == "Slack" else 2)
+
+    def onChanged(self, obj, name):
+        if name == "LengthMode" and in_use(obj):
+            self.set_editor_modes(obj)
+
+    def run(self, obj):
+        self.set_editor_modes(obj)
+        if not obj.Placement.isIdentity():
+            obj.Placement = Placement()
+        scene = read_scene(obj)
+        inputs = fingerprint(scene)
+        if obj.SolvedInputs != inputs:
+            solution = find_equilibrium(scene, start=kept(obj, scene))
+            if not solution.status.success:
+                raise _unsolved(obj, solution)
+            keep(obj, solution)
+            results.write(obj, solution)
+            obj.SolvedInputs = inputs
+        results.write_status(obj)
+        self._sweep(obj, scene, inputs)
+
+    def clear(self, obj, sentence):
+        super().clear(obj, sentence)
+        obj.SolvedInputs = obj.SweptInputs = ""
+
+    def _sweep(self, obj, scene, inputs):
+        try:
+            inputs = f"{inputs} {_section(obj)}"
+            if obj.SweptInputs == inputs and not obj.Shape.isNull():
+                return
+            shape = _solid(obj, scene)
+        except DocumentError as error:
+            # The numbers hold, and a line is a true picture of them; a broken solid would not be.
+            obj.SweptInputs = ""
+            obj.Shape = centreline_wire(kept(obj, scene))
+            raise IncompleteError(str(error)) from None
+        obj.Shape, obj.SweptInputs = shape, inputs
+
+
+def _unsolved(obj, solution):
+    """The core names fields of its scene, a user knows properties."""
+    field, _, complaint = solution.message.partition(": ")
+    if field == "cable.length":
+        return wrong(obj, "Length", f"{complaint}.")
+    return DocumentError(f"{obj.Label}: {solution.message}")
+
+
+def _section(obj):
+    """Fingerprint of the section that is swept."""
+    if obj.Profile is None:
+        return "round"
+    try:
+        return fingerprint(profile(getattr(obj.Profile, "Shape", Part.Shape())).outlines, PROFILE_DECIMALS)
+    except DocumentError as error:
+        raise wrong(obj, "Profile", f"{obj.Profile.Label}: {error}") from None
+
+
+def _solid(obj, scene):
+    nodes = kept(obj, scene)
+    try:
+        if obj.Profile:
+            return sweep_profile(nodes, obj.Profile.Shape)
+        return sweep_round(nodes, scene.rod.radius)
+    except DocumentError as error:
+        raise DocumentError(f"{obj.Label}: {error}") from None

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a macro calls. Each function makes one object and returns it; ``doc.recompute()`` computes.
+
+Further keywords are properties of the object in small letters (``min_bend_radius="40 mm"``): a string with its
+unit, a ``Quantity``, or, of a length or an angle, a number in mm or degrees. Wrong arguments raise
+``DocumentError`` with a sentence, and leave nothing behind.
+"""
+
+import re
+from contextlib import contextmanager
+
+from ..errors import DocumentError
+from .cable import Cable
+from .cable_type import CableType
+from .catalogue import catalogue
+from .centreline import Centreline
+from .material_card import read_card
+from .proxy import proxy_of
+from .reference import based_beside, container, pairs
+from .route import Route
+from .terminal import Terminal
+
+NEEDS_UNIT = ("Quantity", "Force", "Pressure")
+"""A plain number here would be in FreeCAD's internal unit, which nobody means."""
+
+
+def terminal(doc, reference, *, inside=None, **properties):
+    """A terminal at ``reference``: an object, or (object, "Edge7"), or (assembly, "Part.Body.Face6"), in any
+    form the selection gives; at a vertex a list with a local coordinate system as second entry. None for a free
+    end.
+
+    ``inside`` is the part or assembly that the terminal belongs to and moves with; None: the top of the
+    document. Properties: condition ("Clamped", "Swivel", "Pinned", "Free"), reverse, roll, offset.
+    """
+    given = pairs(reference)
+    with _made(doc, "Part::FeaturePython", "Terminal", Terminal, inside) as obj:
+        _apply(obj, properties)
+        obj.Reference = [based_beside(obj, pair) for pair in given]
+    return obj
+
+
+def cable_type(doc, name, *, card=None, **properties):
+    """A cable type called ``name``; a built-in one (see ``catalogue``) has its numbers, another one those given.
+
+    ``card`` is the path of a material card. With it or with youngs_modulus, shear_modulus, density the stiffness
+    follows from the material and outer_diameter. Other properties: mass_per_length, bending_stiffness,
+    second_bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, natural_curvature,
+    min_bend_radius, bend_radius_convention, provenance.
+    """
+    known = catalogue().get(name, {"Provenance": "Not given"})
+    material = read_card(card) if card else {}
+    with _made(doc, "App::FeaturePython", "CableType", CableType) as obj:
+        obj.Label = name
+        if card or {"youngs_modulus", "shear_modulus", "density"} & set(properties):
+            obj.Source = "Material"
+        for key, value in (known | material).items():
+            setattr(obj, key, value)
+        _apply(obj, properties)
+    return obj
+
+
+def cable(doc, *, start, end, cable_type=None, length=None, slack=None, **properties):
+    """A cable between two terminals, with its centreline, beside them in their container.
+
+    ``length`` ("730 mm") or ``slack``, (length − distance) / distance; neither: 10 % slack. ``cable_type`` None:
+    the first of the document, or a built-in one. Properties: gravity (m/s²), tolerance, profile.
+    """
+    if length is not None and slack is not None:
+        raise DocumentError("A cable has either a length or a slack; give one of them.")
+    for name, end_terminal in (("start", start), ("end", end)):
+        if proxy_of(end_terminal, Terminal) is None:
+            raise DocumentError(f"The {name} is {_said(end_terminal)}; it must be a terminal.")
+    if cable_type is not None and proxy_of(cable_type, CableType) is None:
+        raise DocumentError(f"The cable type is {_said(cable_type)}; make one with make.cable_type.")
+    inside = container(start)
+    with _made(doc, "Part::FeaturePython", "Cable", Cable, inside) as obj:
+        obj.LengthMode = "Fixed" if length is not None else "Slack"
+        _apply(obj, properties | _given(length=length, slack=slack))
+        obj.Start, obj.End = start, end
+        obj.CableType = cable_type or _some_type(doc)
+        with _made(doc, "Part::FeaturePython", "Centreline", Centreline, inside) as line:
+            line.Cable = obj
+        obj.Centreline = line
+    return obj
+
+
+def route(doc, cable, *, method="Spline"):
+    """A comparison route of a cable; ``method`` is "Spline", "Catenary" or "Chord"."""
+    if proxy_of(cable, Cable) is None:
+        raise DocumentError(f"The cable is {_said(cable)}; it must be a cable.")
+    with _made(doc, "Part::FeaturePython", "Route", Route, container(cable)) as obj:
+        obj.Cable = cable
+        _apply(obj, {"method": method})
+    return obj
+
+
+@contextmanager
+def _made(doc, kind, name, proxy, inside=None):
+    """A new object with its proxy in its container; gone again if something is wrong with it."""
+    obj = doc.addObject(kind, name)
+    try:
+        proxy(obj)
+        if inside is not None:
+            inside.addObject(obj)
+        yield obj
+    except BaseException:
+        doc.removeObject(obj.Name)
+        raise
+
+
+def _apply(obj, properties):
+    """Set the properties given by keyword."""
+    table = {_keyword(p.name): p for p in obj.Proxy.TABLE if not p.result and "Link" not in p.kind}
+    if obj.Proxy.__class__ is Cable:
+        table["profile"] = next(p for p in Cable.TABLE if p.name == "Profile")
+    for key, value in properties.items():
+        prop = table.get(key)
+        if prop is None:
+            raise DocumentError(f"{key} is no property of a {obj.Name}; known are {', '.join(sorted(table))}.")
+        if prop.choices and value not in prop.choices:
+            raise DocumentError(f"{key} is {value!r}; it must be one of {', '.join(prop.choices)}.")
+        if prop.kind in NEEDS_UNIT and isinstance(value, (int, float)):
+            raise DocumentError(f"{key} is {value!r} without a unit; give it as '{value!r} {prop.unit}'.")
+        try:
+            setattr(obj, prop.name, value)
+        except (ArithmeticError, AttributeError, RuntimeError, TypeError, ValueError):
+            form = f"something in {prop.unit}" if prop.unit else f"a {prop.kind.lower()}"
+            raise DocumentError(f"{key} is {value!r}; it must be {form}.") from None
+
+
+def _keyword(name):
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+def _given(**values):
+    return {key: value for key, value in values.items() if value is not None}
+
+
+def _said(value):
+    return getattr(value, "Label", None) or repr(value)
+
+
+def _some_type(doc):
+    found = (obj for obj in doc.Objects if proxy_of(obj, CableType))
+    return next(found, None) or cable_type(doc, next(iter(catalogue())))

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the proxies of all our objects share: properties, state in files, and what an error does."""
+
+import Part
+
+from ..errors import CableError, DocumentError
+from . import observer, view_hook
+from .property_table import VERSION, complete, reset
+
+
+class IncompleteError(DocumentError):
+    """The results stand, but something that follows from them is missing."""
+
+
+class Proxy:
+    """Base of the proxies. FreeCAD makes one without ``__init__`` when it opens a file."""
+
+    TABLE = ()
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.onDocumentRestored(obj)
+
+    def onDocumentRestored(self, obj):
+        """Also after copying."""
+        complete(obj, self.TABLE)
+        self.set_editor_modes(obj)
+        observer.install()
+        if view_hook.attach:
+            view_hook.attach(obj)
+
+    def set_editor_modes(self, obj):
+        """What the property editor shows and lets the user change; files do not keep that."""
+
+    def run(self, obj):
+        """What ``execute`` does. Errors: ``CableError`` with a sentence for the user."""
+        raise NotImplementedError
+
+    def execute(self, obj):
+        try:
+            self.run(obj)
+        except CableError as error:
+            if isinstance(error, IncompleteError):
+                obj.Status = str(error)
+            else:
+                self.clear(obj, str(error))
+            self.clear_dependents(obj, str(error))
+            # Without its cause: FreeCAD shows the sentence, and a traceback would hide it.
+            raise DocumentError(str(error)) from None
+        except Exception as error:
+            sentence = f"{obj.Label}: {type(error).__name__}: {error}"
+            self.clear(obj, sentence)
+            self.clear_dependents(obj, sentence)
+            raise
+
+    def clear_dependents(self, obj, sentence):
+        """FreeCAD does not execute what depends on a failed object, so its old shape would stay and look new."""
+        for dependent in obj.InListRecursive:
+            if proxy := proxy_of(dependent, Proxy):
+                proxy.clear(dependent, sentence)
+
+    def clear(self, obj, sentence):
+        """No shape, no numbers, and the reason why."""
+        reset(obj, self.TABLE)
+        obj.Status = sentence
+        if hasattr(obj, "Shape"):
+            obj.Shape = Part.Shape()
+
+    # FreeCAD up to 0.21 asks for the state by one pair of names, later by the other.
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        pass
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def in_use(obj):
+    """Whether ``obj`` has all its properties: it is neither being made nor read from a file or a copy."""
+    document = obj.Document
+    return not (document.Restoring or document.Importing) and VERSION.name in obj.PropertiesList
+
+
+def proxy_of(obj, kind):
+    """The proxy of ``obj`` if it is of this class, else None."""
+    proxy = getattr(obj, "Proxy", None)
+    return proxy if isinstance(proxy, kind) else None

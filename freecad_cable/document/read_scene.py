@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the properties of a cable and what it links to, to the scene that states its problem."""
+
+import numpy as np
+
+from ..errors import DocumentError, ProblemError
+from ..geometry import rotation
+from ..options import SolveOptions
+from ..problem import Clamped, Free, Pinned, Scene, Swivel
+from ..shape.units import from_si, placement_to_si, to_si
+from .cable_type import CableType
+from .property_table import Checked, wrong
+from .proxy import proxy_of
+from .reference import container
+from .terminal import Terminal
+
+HALF_TURN = (0.0, 1.0, 0.0, 0.0)
+"""About x, as a quaternion: a terminal looks out of its part, and at its end the cable runs into it."""
+
+IN_SCENE = {
+    "start": "Start",
+    "end": "End",
+    "gravity": "Gravity",
+    "options": "Tolerance",
+    "cable": "CableType",
+}
+"""Fields of the scene, up to the first dot, and the properties that state them."""
+
+
+def read_scene(cable) -> Scene:
+    """The scene of a cable, in the coordinates of its container. Errors: ``DocumentError``."""
+    start, end = _terminals(cable)
+    checked = Checked(cable, cable.Proxy.TABLE)
+    try:
+        ends = _end("start", start), _end("end", end)
+        return Scene(
+            rod=_rod(cable, checked, *ends),
+            start=ends[0],
+            end=ends[1],
+            gravity=list(cable.Gravity),
+            options=SolveOptions(tolerance=checked.number("Tolerance")),
+        )
+    except ProblemError as error:
+        name = IN_SCENE[error.field.partition(".")[0].partition("[")[0]]
+        raise wrong(cable, name, f"{error.message}.") from None
+
+
+def _terminals(cable):
+    found = []
+    for name in ("Start", "End"):
+        terminal = getattr(cable, name)
+        if terminal is None:
+            raise wrong(cable, name, "is empty; choose a terminal. One that is Free lets the end hang.")
+        if proxy_of(terminal, Terminal) is None:
+            raise wrong(cable, name, f"is {terminal.Label}, which is no cable terminal; choose a terminal.")
+        if terminal.Status:
+            raise DocumentError(terminal.Status)
+        if container(terminal) is not container(cable):
+            raise wrong(
+                cable,
+                name,
+                f"is {terminal.Label}, which is in another part or assembly than the cable; put both into the same.",
+            )
+        found.append(terminal)
+    if found[0] is found[1]:
+        raise wrong(cable, "End", f"is {found[0].Label} and so is Start; choose two different terminals.")
+    return found
+
+
+def _end(place, terminal):
+    """The end condition, with d3 from start to end."""
+    if terminal.Condition == "Free":
+        return Free(place=place)
+    position, quaternion = placement_to_si(terminal.Frame)
+    if place == "end":
+        quaternion = rotation.multiply(quaternion, HALF_TURN)
+    if terminal.Condition == "Pinned":
+        return Pinned(position, place=place)
+    if terminal.Condition == "Swivel":
+        return Swivel(position, rotation.tangent(quaternion), place=place)
+    return Clamped(position, quaternion, place=place)
+
+
+def _rod(cable, checked, start, end):
+    kind = cable.CableType
+    proxy = proxy_of(kind, CableType)
+    if proxy is None:
+        said = "is empty" if kind is None else f"is {kind.Label}, which is no cable type"
+        raise wrong(cable, "CableType", f"{said}; choose a cable type.")
+    chord = None
+    if isinstance(start, Pinned) and isinstance(end, Pinned):
+        chord = float(np.linalg.norm(end.position - start.position))
+    rod = proxy.rod(kind, _length(cable, checked, chord))
+    if chord is not None and rod.axial_stiffness is None and rod.length < chord:
+        raise wrong(
+            cable,
+            "Length",
+            f"is {_mm(rod.length)}, but the terminals are {_mm(chord)} apart; the shortest possible length is "
+            f"{_mm(chord)}. Make the cable longer or bring the terminals closer.",
+        )
+    return rod
+
+
+def _length(cable, checked, chord):
+    """[m]"""
+    if cable.LengthMode == "Fixed":
+        return to_si("length", checked.number("Length", above=0))
+    slack = checked.number("Slack", at_least=0)
+    if not chord:
+        reason = "the terminals are at the same point" if chord == 0 else "an end is free"
+        raise wrong(
+            cable, "LengthMode", f"is Slack, but {reason}, so there is no straight distance; use Fixed."
+        )
+    return chord * (1 + slack)
+
+
+def _mm(length):
+    return f"{from_si('length', length):.6g} mm"

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a cable shows of its solution. Lengths in FreeCAD's mm; where FreeCAD 0.20 has no type, plain SI numbers
+with the unit in the text."""
+
+import numpy as np
+from FreeCAD import Vector
+
+from ..geometry import rotation
+from ..result import Solution
+from ..shape.units import from_si, vector_from_si
+from ..status import Status
+from . import cable_type
+from .property_table import Prop
+
+TABLE = tuple(
+    Prop(name, kind, "Result", text, result=True)
+    for name, kind, text in (
+        ("SolvedLength", "Length", "Length of the unloaded cable"),
+        ("SmallestBendRadius", "Distance", "Smallest bend radius of the centreline"),
+        ("SmallestBendRadiusAt", "Distance", "Distance of the tightest place from the start, along the cable"),
+        (
+            "BendRadiusMargin",
+            "Distance",
+            "Smallest bend radius of the centreline less the smallest one allowed",
+        ),
+        ("StartForce", "Vector", "Force of the connector at the start on the cable, in N"),
+        ("StartMoment", "Vector", "Moment of the connector at the start on the cable, in N m"),
+        ("EndForce", "Vector", "Force of the connector at the end on the cable, in N"),
+        ("EndMoment", "Vector", "Moment of the connector at the end on the cable, in N m"),
+        ("ElasticEnergy", "Float", "Energy of bending, torsion and stretch, in J"),
+        ("GravityEnergy", "Float", "Energy of the weight, measured from the start against gravity, in J"),
+        ("Mass", "Float", "Mass of the cable, in kg"),
+        ("CentreOfMass", "VectorDistance", "Centre of mass, in the coordinates of the container"),
+        ("ErrorEstimate", "Length", "Estimate of the largest error of position"),
+        (
+            "BalanceResidual",
+            "Float",
+            "Largest residual of force and moment balance, recomputed from the nodes, relative to the loads",
+        ),
+        ("SolveTime", "Float", "Time of the last solve, in s"),
+        ("ModelUsed", "StringList", "What the model has and what was left out of it, and why"),
+        ("Stable", "Bool", "Whether the cable stays in this shape"),
+        ("Status", "String", "How the solve ended, and what to look at"),
+    )
+)
+
+
+def write(cable, solution: Solution):
+    """Write all results but the status."""
+    rod = solution.scene.rod
+    radius, place = solution.min_bend_radius
+    energy, balance, solver = solution.energy, solution.balance, solution.solver
+    cable.SolvedLength = from_si("length", rod.length)
+    cable.SmallestBendRadius = from_si("length", radius)
+    cable.SmallestBendRadiusAt = from_si("length", place)
+    cable.BendRadiusMargin = from_si("length", radius - (rod.min_bend_radius or 0.0))
+    for name, load in (("Start", solution.start_reaction), ("End", solution.end_reaction)):
+        setattr(cable, f"{name}Force", Vector(*load.force.tolist()))
+        setattr(cable, f"{name}Moment", Vector(*load.moment.tolist()))
+    cable.ElasticEnergy = energy.bending + energy.torsion + energy.stretch
+    cable.GravityEnergy = energy.gravity
+    cable.Mass = rod.mass_per_length * rod.length
+    cable.CentreOfMass = vector_from_si(_centre(solution))
+    cable.ErrorEstimate = from_si("length", solution.position_error)
+    cable.BalanceResidual = max(balance.force, balance.moment) if balance else 0.0
+    cable.SolveTime = solver["solve_time"]
+    cable.ModelUsed = [
+        *(f"Kept: {sentence}" for sentence in solution.kept),
+        *(f"Left out: {sentence}" for sentence in solution.left_out),
+        f"Solved by {solver['name']}, scheme {solver['scheme']}, {solver['elements']} elements",
+    ]
+    cable.Stable = bool(solution.stable)
+
+
+def write_status(cable):
+    """That it is solved, and warnings that do not make the shape wrong."""
+    sentences = [Status.CONVERGED.value, *cable_type.doubts(cable.CableType)]
+    if cable.BendRadiusMargin.Value < 0:
+        limit = cable.SmallestBendRadius - cable.BendRadiusMargin
+        sentences.append(
+            f"Warning: the tightest bend, {cable.SmallestBendRadius.Value:.4g} mm at "
+            f"{cable.SmallestBendRadiusAt.Value:.4g} mm from the start, is tighter than the "
+            f"{limit.Value:.4g} mm that {cable.CableType.Label} allows (at the centreline)."
+        )
+    cable.Status = " ".join(sentences)
+
+
+def _centre(solution):
+    """Centre of mass (3,) [m]: the integral of the Hermite curve through the nodes, order 4."""
+    s, r = solution.arc_length, solution.position
+    t = rotation.tangent(solution.quaternion)
+    h = np.diff(s)[:, None]
+    pieces = h / 2 * (r[:-1] + r[1:]) + h**2 / 12 * (t[:-1] - t[1:])
+    return pieces.sum(axis=0) / (s[-1] - s[0])

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The solution that a cable keeps in the file: a document opens and draws without solving, and the next solve
+starts from here.
+
+Arrays in SI units, as the core has them, so that they come back bit by bit.
+"""
+
+import hashlib
+from dataclasses import fields, is_dataclass
+
+import numpy as np
+from FreeCAD import Vector
+
+from ..problem import Scene
+from ..problem.ends import End
+from ..result import Solution
+from ..status import Status
+from .property_table import Prop
+
+PLACE_DECIMALS = 10
+"""Of a position in metres, and of an axis: OCCT takes points nearer than 1e-7 mm for one."""
+
+DIGITS = 12
+"""Significant, of any other number; files keep 16."""
+
+NODES = {
+    "NodeArcLength": ("arc_length", "FloatList", "arc length of the nodes [m]"),
+    "NodePosition": ("position", "VectorList", "position of the nodes [m]"),
+    "NodeQuaternion": ("quaternion", "FloatList", "orientation of the nodes, 4 each, scalar first"),
+    "NodeForce": ("force", "VectorList", "internal force at the nodes [N]"),
+    "NodeMoment": ("moment", "VectorList", "internal moment at the nodes [N m]"),
+    "NodeCurvature": ("curvature", "VectorList", "curvature and twist at the nodes, material frame [1/m]"),
+}
+"""Property: field of the solution, type, text."""
+
+TABLE = (
+    *(
+        Prop(name, kind, "Nodes", text[:1].upper() + text[1:], result=True, hidden=True)
+        for name, (_, kind, text) in NODES.items()
+    ),
+    Prop("SolvedInputs", "String", "Nodes", "Fingerprint of what was solved", result=True, hidden=True),
+    Prop("SweptInputs", "String", "Nodes", "Fingerprint of what was swept", result=True, hidden=True),
+)
+
+
+def fingerprint(value, decimals=None) -> str:
+    """The same for scenes, or other nested data, that are the same but for rounding.
+
+    ``decimals`` of every number; None: ``DIGITS`` significant ones, and ``PLACE_DECIMALS`` at the ends.
+    """
+    return hashlib.sha256(_text(value, decimals).encode()).hexdigest()
+
+
+def keep(cable, solution: Solution):
+    """Store the nodes."""
+    for name, (field, kind, _) in NODES.items():
+        array = getattr(solution, field)
+        rows = array.ravel().tolist() if kind == "FloatList" else [Vector(*row) for row in array.tolist()]
+        setattr(cable, name, rows)
+
+
+def kept(cable, scene: Scene) -> Solution | None:
+    """The stored nodes as a solution of ``scene``, or None if there are none."""
+    if not cable.NodePosition:
+        return None
+    arrays = {field: np.array(getattr(cable, name), float) for name, (field, _, _) in NODES.items()}
+    arrays["quaternion"] = arrays["quaternion"].reshape(-1, 4)
+    return Solution(scene=scene, status=Status.CONVERGED, message=Status.CONVERGED.value, **arrays)
+
+
+def _text(value, decimals):
+    if is_dataclass(value):
+        decimals = PLACE_DECIMALS if isinstance(value, End) else decimals
+        inside = (f"{f.name}={_text(getattr(value, f.name), decimals)}" for f in fields(value))
+        return f"{type(value).__name__}({', '.join(inside)})"
+    if isinstance(value, (tuple, list, np.ndarray)):
+        return f"[{', '.join(_text(item, decimals) for item in value)}]"
+    if isinstance(value, float):
+        # Adding zero: no minus in front of it.
+        return f"{value:.{DIGITS}g}" if decimals is None else repr(round(float(value), decimals) + 0.0)
+    return repr(value)

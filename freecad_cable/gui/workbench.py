@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench. FreeCAD imports this file at every start, so it brings in nothing heavy."""
+
+import FreeCADGui
+
+from ..document import view_hook
+from . import views
+from .icons import icon
+
+# Documents are opened and macros run before anyone uses the workbench.
+view_hook.attach = views.attach
+
+
+class CableWorkbench(FreeCADGui.Workbench):
+    """Menu and toolbar; the name is also in package.xml."""
+
+    MenuText = "Cable"
+    ToolTip = "Flexible cables between connectors, shaped by mechanics"
+    Icon = icon("cable_workbench")
+
+    def Initialize(self):
+        """FreeCAD calls this when the workbench is first used."""
+        from .commands import COMMANDS
+
+        for name, command in COMMANDS.items():
+            FreeCADGui.addCommand(name, command)
+        self.appendToolbar("Cable", list(COMMANDS))
+        self.appendMenu("Cable", list(COMMANDS))
+
+    def GetClassName(self):
+        return "Gui::PythonWorkbench"

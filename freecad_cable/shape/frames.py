@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The moving frame along the cable, with its derivatives."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import DocumentError
+from ..geometry import rotation
+from .nodes import in_millimetres
+
+COARSE = 2.0
+"""[rad] Largest turn of the frame between two nodes; there a quintic is within 2·10⁻³ of an arc."""
+
+JUMP = 8.0
+"""Curvature jumps where it changes this many times faster than around it …"""
+
+JUMP_TURN = 0.02
+"""… and the change matters over one piece [rad]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Frames:
+    """The moving frame at the nodes of a run of the cable over which curvature is continuous.
+
+    The parameter is the length of the elongated centreline, so that r' = d3, d_i' = ω × d_i and
+    d_i'' = ω' × d_i + ω × (ω × d_i). Everything in mm, in the frame of the positions.
+    """
+
+    parameter: np.ndarray
+    """(n,) from the start of the cable [mm]"""
+    position: np.ndarray
+    """(n, 3) [mm]"""
+    axes: np.ndarray
+    """(n, 3, 3), columns d1, d2, d3"""
+    spin: np.ndarray
+    """(n, 3) ω [1/mm]"""
+    spin_rate: np.ndarray
+    """(n, 3) ω' [1/mm²]"""
+    twist: np.ndarray
+    """(n,) angle about d3 since the start of the cable [rad]"""
+
+    @property
+    def tangent(self):
+        """(n, 3) d3."""
+        return self.axes[:, :, 2]
+
+    def axis(self, k):
+        """d_k (k = 0, 1, 2) with its first and second derivative, each (n, 3)."""
+        d = self.axes[:, :, k]
+        first = np.cross(self.spin, d)
+        return d, first, np.cross(self.spin_rate, d) + np.cross(self.spin, first)
+
+    def untwisted(self):
+        """The same centreline with frames carried along without twist.
+
+        For those ω = t × t', so ω' = t × t''.
+        """
+        t, first, second = self.axis(2)
+        d1, d2 = self.axes[:, :, 0], self.axes[:, :, 1]
+        cosine, sine = np.cos(self.twist)[:, None], np.sin(self.twist)[:, None]
+        axes = np.stack([cosine * d1 - sine * d2, sine * d1 + cosine * d2, t], axis=2)
+        spin, spin_rate = np.cross(t, first), np.cross(t, second)
+        return Frames(
+            self.parameter, self.position, axes, spin, spin_rate, np.zeros_like(self.twist)
+        )
+
+
+def frames(nodes) -> list[Frames]:
+    """The frames of ``nodes`` (``Nodes`` or ``Solution``), in runs that meet where curvature jumps.
+
+    At most nodes there is no jump, and for most cables there is one run. The elongation of a stretched rod is
+    taken from the distances between the nodes. Errors: ``DocumentError`` if the nodes are missing,
+    malformed, too far apart, or contradict each other.
+    """
+    s, position, quaternion, curvature = in_millimetres(nodes)
+    step = np.diff(s)
+    turn = rotation.logarithm(
+        rotation.multiply(rotation.conjugate(quaternion[:-1]), quaternion[1:])
+    )
+    size = np.linalg.norm(turn, axis=1)
+    k = int(np.argmax(size))
+    if size[k] > COARSE:
+        raise DocumentError(
+            f"The cable turns by {size[k]:.2f} rad between its nodes {k} and {k + 1}; a shape needs "
+            f"less than {COARSE:g} rad. Solve with more elements."
+        )
+    mean = turn / step[:, None]
+    axes = rotation.matrix(quaternion)
+    ends = [0, *_jumps(step, mean), len(step)]
+    runs, parameter, twist = [], 0.0, 0.0
+    for a, b in zip(ends[:-1], ends[1:], strict=True):
+        run = slice(a, b + 1)
+        local = _at_nodes(step[a:b], mean[a:b])
+        if curvature is not None:
+            # A node where curvature jumps has two; which one was given is not known.
+            known = slice(1 if a > 0 else 0, -1 if b < len(step) else None)
+            local[known] = curvature[run][known]
+        runs.append(_run(parameter, twist, s[run], position[run], axes[run], local))
+        parameter, twist = runs[-1].parameter[-1], runs[-1].twist[-1]
+    return runs
+
+
+def _run(start, twist, s, position, axes, curvature) -> Frames:
+    """The frames of one run that begins at the parameter ``start`` with ``twist``."""
+    step = np.diff(s)
+    elongation = _elongation(step, position, axes, curvature)
+    parameter = start + np.concatenate(([0.0], np.cumsum(step * elongation)))
+    curvature = curvature / _at_nodes(step, elongation[:, None])
+    rate = np.gradient(curvature, parameter, axis=0, edge_order=min(2, len(step)))
+    spin, spin_rate = (np.einsum("nij,nj->ni", axes, x) for x in (curvature, rate))
+    twisting = _integrals(np.diff(parameter), curvature[:, 2:], rate[:, 2:])[:, 0]
+    twist = twist + np.concatenate(([0.0], np.cumsum(twisting)))
+    return Frames(parameter, position, axes, spin, spin_rate, twist)
+
+
+def _jumps(step, mean):
+    """Inner nodes where curvature jumps, from its means (m, 3) over the pieces between the nodes.
+
+    There it changes faster than at most of the two nodes before and the two after.
+    """
+    if len(step) < 3:
+        return []
+    change = np.linalg.norm(np.diff(mean, axis=0), axis=1)
+    distance = (step[:-1] + step[1:]) / 2
+    rate = change / distance
+    padded = np.pad(rate, 2, constant_values=np.inf)
+    around = np.sort([np.roll(padded, k)[2:-2] for k in (-2, -1, 1, 2)], axis=0)[1]
+    sudden = rate > JUMP * around
+    return [int(k) + 1 for k in np.flatnonzero(sudden & (change * distance > JUMP_TURN))]
+
+
+def _at_nodes(step, mean):
+    """Values at the nodes (m+1, d) from the means (m, d) over the pieces between them, order 2."""
+    if len(mean) == 1:
+        return np.repeat(mean, 2, axis=0)
+    weight = (step[:-1] / (step[:-1] + step[1:]))[:, None]
+    inner = mean[:-1] + weight * (mean[1:] - mean[:-1])
+    return np.concatenate((2 * mean[:1] - inner[:1], inner, 2 * mean[-1:] - inner[-1:]))
+
+
+def _integrals(step, value, first):
+    """∫ over the pieces (m, d) of a function with values and derivatives (m+1, d) at the nodes.
+
+    Hermite's rule h (a + b) / 2 + h² (a' − b') / 12, of order 4.
+    """
+    h = step[:, None]
+    return h / 2 * (value[:-1] + value[1:]) + h**2 / 12 * (first[:-1] - first[1:])
+
+
+def _elongation(step, position, axes, curvature):
+    """How many times longer than ``step`` the pieces are (m,): chord over ∫ d3 ds."""
+    tangent = axes[:, :, 2]
+    bend = np.cross(np.einsum("nij,nj->ni", axes, curvature), tangent)
+    chord = np.linalg.norm(np.diff(position, axis=0), axis=1)
+    ratio = chord / np.linalg.norm(_integrals(step, tangent, bend), axis=1)
+    wrong = (ratio < 0.5) | (ratio > 2)
+    if wrong.any():
+        k = int(np.argmax(wrong))
+        raise DocumentError(
+            f"The positions, tangents and arc lengths of the nodes do not belong together: two nodes are "
+            f"{chord[k]:.4g} mm apart and should be {chord[k] / ratio[k]:.4g} mm apart."
+        )
+    return ratio

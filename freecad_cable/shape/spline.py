@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Piecewise quintic functions with given values and derivatives at their knots, and their B-splines.
+
+Farin, Curves and Surfaces for CAGD, 5th ed., chapters 5 to 8.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+DEGREE = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Quintic:
+    """A C2 function of one parameter with values in d dimensions (quintic Hermite interpolation).
+
+    parameter (n,) increasing; value, first, second (n, d): the function and its derivatives there.
+    """
+
+    parameter: np.ndarray
+    value: np.ndarray
+    first: np.ndarray
+    second: np.ndarray
+
+    @property
+    def step(self):
+        """(n-1,) lengths of the spans."""
+        return np.diff(self.parameter)
+
+    def thinned(self, tolerance) -> "Quintic":
+        """The function from as few of its knots as keep it within ``tolerance`` (d,) at the others.
+
+        Spans are halved until they fit. Poles that say nothing new would make every later operation on
+        the shape slow.
+        """
+        last = len(self.parameter) - 1
+        keep = np.array([0, last])
+        while True:
+            coarse = Quintic(*(x[keep] for x in vars(self).values()))
+            span = np.clip(
+                np.searchsorted(keep, np.arange(last + 1), "right") - 1, 0, len(keep) - 2
+            )
+            share = (self.parameter - coarse.parameter[span]) / coarse.step[span]
+            value = np.einsum("nk,nkd->nd", bernstein(DEGREE, share), coarse.bezier()[span])
+            off = (np.abs(value - self.value) > tolerance).any(axis=1)
+            off[keep] = False
+            if not off.any():
+                return coarse
+            halve = np.unique(span[off])
+            keep = np.union1d(keep, (keep[halve] + keep[halve + 1]) // 2)
+
+    def bezier(self):
+        """(n-1, 6, d) Bézier points of the spans."""
+        h = self.step[:, None]
+        f0, f1 = self.value[:-1], self.value[1:]
+        g0, g1 = h / 5 * self.first[:-1], h / 5 * self.first[1:]
+        c0, c1 = h**2 / 20 * self.second[:-1], h**2 / 20 * self.second[1:]
+        return np.stack([f0, f0 + g0, f0 + 2 * g0 + c0, f1 - 2 * g1 + c1, f1 - g1, f1], axis=1)
+
+    def at(self, share):
+        """Value and first derivative, each (n-1, m, d), at the shares (m,) in 0…1 of every span."""
+        points = self.bezier()
+        slopes = DEGREE * np.diff(points, axis=1) / self.step[:, None, None]
+        return (
+            np.einsum("mk,nkd->nmd", bernstein(DEGREE, share), points),
+            np.einsum("mk,nkd->nmd", bernstein(DEGREE - 1, share), slopes),
+        )
+
+    def poles(self):
+        """(3n, d) B-spline poles for knots of multiplicity 3, at the ends 6.
+
+        With a, b, c neighbouring knots the poles about b are the blossoms f(a,a,b,b,b) and f(b,b,b,c,c),
+        which are Bézier points, and f(a,b,b,b,c) between them, which extends the span a…b to c.
+        """
+        p, h = self.bezier(), self.step
+        extended = (1 + h[1:] / h[:-1])[:, None]
+        middle = p[:-1, 3] + extended * (p[:-1, 4] - p[:-1, 3])
+        about = np.stack([p[:-1, 3], middle, p[1:, 2]], axis=1).reshape(-1, p.shape[2])
+        return np.concatenate([p[0, :3], about, p[-1, 3:]])
+
+
+def joined(pieces, continuity):
+    """Knots, multiplicities and poles of one B-spline through ``pieces`` that meet end to start.
+
+    ``continuity`` 0: they meet in value; 1: in the first derivative as well.
+    """
+    knots, multiplicities, poles = [], [], []
+    for piece in pieces:
+        inner = [3] * (len(piece.parameter) - 2)
+        multiplicities += [DEGREE - continuity, *inner]
+        knots += piece.parameter[:-1].tolist()
+        own = piece.poles()
+        poles.append(own[1 if poles and continuity else 0 : -1])
+    knots.append(float(pieces[-1].parameter[-1]))
+    multiplicities[0] = DEGREE + 1
+    return knots, [*multiplicities, DEGREE + 1], np.concatenate([*poles, own[-1:]])
+
+
+def bernstein(degree, share):
+    """(m, degree + 1) Bernstein polynomials at ``share`` (m,)."""
+    binomial = np.array({4: [1, 4, 6, 4, 1], 5: [1, 5, 10, 10, 5, 1]}[degree])
+    u, k = np.asarray(share, float)[:, None], np.arange(degree + 1)
+    return binomial * u**k * (1 - u) ** (degree - k)

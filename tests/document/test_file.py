@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A saved document opens with the same numbers, without solving and without CasADi."""
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+from unittest import mock
+
+import FreeCAD
+import numpy as np
+from reader import seen
+from scenes import DocumentTest
+
+import freecad_cable
+from freecad_cable.document import cable as cable_module
+from freecad_cable.document import make
+from freecad_cable.document.stored_solution import NODES
+
+READER = Path(__file__).with_name("reader.py")
+
+
+class FileTest(DocumentTest):
+    def setUp(self):
+        super().setUp()
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.cable_between_pins()
+        make.route(self.doc, self.cable)
+        self.type.AxialStiffness = "400 N"
+        self.compute()
+        self.before = seen(self.cable)
+        self.path = str(self.folder / "cable.FCStd")
+        self.doc.saveAs(self.path)
+
+    def reopen(self):
+        FreeCAD.closeDocument(self.doc.Name)
+        self.doc = FreeCAD.openDocument(self.path)
+        return self.doc.Cable
+
+    def assertSame(self, now):
+        """Nodes bit by bit; of a single number FreeCAD writes 16 digits."""
+        self.assertEqual(now.keys(), self.before.keys())
+        for name, before in self.before.items():
+            if isinstance(before, (list, float)) and before and name not in (*NODES, "State", "ModelUsed"):
+                self.assertLess(np.max(np.abs(np.subtract(now[name], before))), 1e-15 * np.max(np.abs(before)), name)
+            else:
+                self.assertEqual(now[name], before, name)
+
+    def test_it_reopens_and_recomputes_without_solving(self):
+        with mock.patch.object(cable_module, "find_equilibrium", side_effect=AssertionError):
+            cable = self.reopen()
+            self.assertSame(seen(cable))
+            for obj in self.doc.Objects:
+                self.assertEqual(obj.State, ["Up-to-date"], obj.Label)
+            self.doc.recompute(None, True)
+            self.assertSame(seen(cable))
+
+    def test_quantities_have_their_units_again(self):
+        self.reopen()
+        kind = self.doc.CableType
+        self.assertAlmostEqual(kind.MassPerLength.getValueAs("g/m").Value, 44.642031607511, delta=1e-9)
+        self.assertAlmostEqual(kind.BendingStiffness.getValueAs("N*m^2").Value, 1.1785881e-3, delta=1e-9)
+        kind.BendingStiffness = "2e-3 N*m^2"
+        with self.assertRaises(ArithmeticError):
+            kind.BendingStiffness = "2 mm"
+
+    def test_it_solves_on_from_where_it_was(self):
+        cable = self.reopen()
+        find, starts = cable_module.find_equilibrium, []
+
+        def spy(scene, *, start=None):
+            starts.append(start)
+            return find(scene, start=start)
+
+        with mock.patch.object(cable_module, "find_equilibrium", spy):
+            cable.Length = "310 mm"
+            self.compute()
+        (start,) = starts
+        self.assertEqual(start.position.tolist(), self.before["NodePosition"])
+        self.assertEqual(cable.SolvedLength.Value, 310)
+
+    def test_an_old_file_gets_the_properties_it_lacks(self):
+        self.cable.removeProperty("Tolerance")
+        self.cable.removeProperty("BalanceResidual")
+        self.doc.save()
+        cable = self.reopen()
+        self.assertEqual(cable.Tolerance, 1e-4)
+        self.assertEqual(cable.BalanceResidual, 0)
+
+    def test_a_fresh_process_without_casadi(self):
+        observed = self.in_a_fresh_process()
+        self.assertEqual(observed["modules"], [])
+        self.assertSame(observed["opened"])
+        self.assertSame(observed["recomputed"])
+        edited = observed["edited"]
+        self.assertEqual(edited["State"], ["Touched", "Invalid"])
+        self.assertIsNone(edited["Volume"])
+        self.assertIn("CasADi is not installed", observed["message"])
+        self.assertEqual(edited["Status"], observed["message"])
+        length, drawn, said = observed["route"]
+        self.assertGreater(length, 120)
+        self.assertAlmostEqual(drawn / length, 1, delta=1e-4)
+        self.assertIn("CasADi is not installed", said)
+
+    def in_a_fresh_process(self):
+        program = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+        result = self.folder / "seen.json"
+        root = str(Path(freecad_cable.__file__).parents[1])
+        environment = os.environ | {
+            "CABLE_FILE": self.path,
+            "CABLE_SEEN": str(result),
+            "PYTHONPATH": os.pathsep.join([root, os.environ.get("PYTHONPATH", "")]),
+        }
+        code = f"exec(compile(open({str(READER)!r}).read(), 'reader.py', 'exec'))"
+        ran = subprocess.run(
+            [program, "-c", f"{code}\nimport os\nos._exit(0)"],
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+        )
+        self.assertTrue(result.exists(), ran.stdout + ran.stderr)
+        return json.loads(result.read_text(encoding="utf-8"))

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench and its commands, in a window."""
+
+import unittest
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from freecad_cable.document import make
+from freecad_cable.errors import DocumentError
+
+TITLES = ["Cable Terminal", "Cable", "Comparison Route"]
+
+
+def active():
+    """Titles of the commands that can be used now."""
+    names = ("Cable_Terminal", "Cable_Cable", "Cable_Route")
+    commands = [FreeCADGui.Command.get(name) for name in names]
+    return [c.getInfo()["menuText"] for c in commands if c.isActive()]
+
+
+class WorkbenchTest(unittest.TestCase):
+    def test_toolbar_and_menu_offer_the_commands(self):
+        FreeCADGui.activateWorkbench("CableWorkbench")
+        window = FreeCADGui.getMainWindow()
+        (toolbar,) = [b for b in window.findChildren(QtGui.QToolBar) if b.objectName() == "Cable"]
+        self.assertEqual([a.text().replace("&", "") for a in toolbar.actions()], TITLES)
+        menus = window.menuBar().findChildren(QtGui.QMenu)
+        (menu,) = [m for m in menus if m.title().replace("&", "") == "Cable"]
+        self.assertEqual([a.text().replace("&", "") for a in menu.actions()], TITLES)
+        self.assertTrue(all(not a.icon().isNull() for a in toolbar.actions()))
+
+
+class CommandTest(unittest.TestCase):
+    """Two plates, 200 mm apart, in a moved container; the faces that look at each other."""
+
+    def setUp(self):
+        FreeCADGui.activateWorkbench("CableWorkbench")
+        self.document = FreeCAD.newDocument("Commands")
+        self.document.UndoMode = 1
+        self.part = self.document.addObject("App::Part", "Unit")
+        self.part.Placement.Base = FreeCAD.Vector(0, 0, 50)
+        for name, x in (("Left", -110), ("Right", 100)):
+            plate = self.document.addObject("Part::Box", name)
+            plate.Placement.Base = FreeCAD.Vector(x, 0, 0)
+            self.part.addObject(plate)
+        self.document.recompute()
+        FreeCADGui.Selection.clearSelection()
+
+    def tearDown(self):
+        FreeCAD.closeDocument(self.document.Name)
+
+    def select(self, *paths):
+        FreeCADGui.Selection.clearSelection()
+        for path in paths:
+            root, _, rest = path.partition(".")
+            FreeCADGui.Selection.addSelection(self.document.Name, root, rest)
+
+    def names(self):
+        return {obj.Name for obj in self.document.Objects}
+
+    def run_command(self, name):
+        """The objects that a command made, checked to be one step of undo."""
+        before, steps = self.names(), self.document.UndoCount
+        FreeCADGui.runCommand(name)
+        made = self.names() - before
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.document.undo()
+        self.assertEqual(self.names(), before)
+        self.document.redo()
+        self.assertEqual(self.names(), before | made)
+        return [self.document.getObject(name) for name in made]
+
+    def of(self, proxy, objects):
+        return [o for o in objects if type(getattr(o, "Proxy", None)).__name__ == proxy]
+
+    def test_what_is_selected_decides_what_can_be_used(self):
+        self.assertEqual(active(), [])
+        self.select("Unit.Left.Face2")
+        self.assertEqual(active(), ["Cable Terminal"])
+        self.select("Unit.Left.Face2", "Unit.Right.Face1")
+        self.assertEqual(active(), ["Cable"])
+        self.select("Unit.Left.")
+        self.assertEqual(active(), [])
+        self.select("Unit.Left.Vertex1")
+        self.assertEqual(active(), [])
+
+    def test_a_terminal_sits_on_the_face_picked_inside_a_moved_part(self):
+        self.select("Unit.Left.Face2")
+        (terminal,) = self.of("Terminal", self.run_command("Cable_Terminal"))
+        middle = FreeCAD.Vector(-100, 5, 55)
+        self.assertLess(terminal.Placement.Base.distanceToPoint(middle), 1e-6)
+
+    def test_a_terminal_sits_on_the_copy_picked_and_not_on_the_original(self):
+        copy = self.document.addObject("App::Link", "Copy")
+        copy.LinkedObject = self.part
+        copy.Placement.Base = FreeCAD.Vector(0, 300, 0)
+        self.document.recompute()
+        self.select("Copy.Left.Face2")
+        (terminal,) = self.of("Terminal", self.run_command("Cable_Terminal"))
+        middle = FreeCAD.Vector(-100, 305, 5)
+        self.assertLess(terminal.Placement.Base.distanceToPoint(middle), 1e-6)
+
+    def test_a_cable_between_two_faces(self):
+        self.select("Unit.Left.Face2", "Unit.Right.Face1")
+        made = self.run_command("Cable_Cable")
+        self.assertEqual(len(self.of("Terminal", made)), 2)
+        (cable,) = self.of("Cable", made)
+        self.assertTrue(cable.isValid(), cable.Status)
+        self.assertTrue(cable.Shape.isValid())
+        self.select(cable.Name)
+        self.assertEqual(active(), ["Comparison Route"])
+        (route,) = self.of("Route", self.run_command("Cable_Route"))
+        self.assertTrue(route.Shape.isValid())
+
+    def test_a_cable_between_two_terminals(self):
+        ends = []
+        for face in ("Unit.Left.Face2", "Unit.Right.Face1"):
+            self.select(face)
+            ends += self.of("Terminal", self.run_command("Cable_Terminal"))
+        self.select(*(end.Name for end in ends))
+        self.assertEqual(active(), ["Cable"])
+        (cable,) = self.of("Cable", self.run_command("Cable_Cable"))
+        self.assertEqual([cable.Start, cable.End], ends)
+
+    def test_a_command_that_fails_leaves_nothing_behind(self):
+        self.select("Unit.Left.Face2", "Unit.Right.Face1")
+        before = self.names()
+        steps = self.document.UndoCount
+        with mock.patch.object(make, "cable", side_effect=DocumentError("no cable today")):
+            FreeCADGui.runCommand("Cable_Cable")
+        self.assertEqual(self.names(), before)
+        self.assertEqual(self.document.UndoCount, steps)
