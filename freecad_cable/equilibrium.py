@@ -7,7 +7,7 @@ from .errors import SolverMissingError
 from .geometry import rotation
 from .problem import Clamped, Pinned, Scene
 from .problem.reduce import Model, orientation, reduce
-from .result import Energy, Load, Solution, balance, smallest_bend_radius
+from .result import Energy, Load, Solution, balance, end_violation, smallest_bend_radius
 from .status import Status
 
 NO_SLACK = 1e-7
@@ -17,6 +17,8 @@ computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 NEAR = 0.1
 """Change of length, of an end's place in lengths and of its direction in half turns, up to which an earlier shape is
 a start."""
+HELD = 1e-5
+"""Violation of an end condition above which no answer passes; the solver leaves 1e-7 at most."""
 UNBALANCED = 0.2
 """Residual of the independent balance check above which no answer passes as one. Splines through the nodes of
 good answers stay below 0.1, those of wrong ones reach 1."""
@@ -129,7 +131,9 @@ def _solution(problem, trial, model: Model) -> Solution:
     force, moment = shape.force * scaling.force, shape.moment * scaling.energy
     curvature = shape.strain[:, :3] / length
     check = balance(rod, scene.weight, arc_length, position, shape.quaternion, force)
-    status, message = _verdict(scene, trial, check)
+    status, message = _verdict(
+        scene, trial, check, end_violation(scene, position, shape.quaternion)
+    )
     return Solution(
         scene=scene,
         status=status,
@@ -162,9 +166,11 @@ def _energy(problem, trial):
     return Energy(bending, torsion, stretch, gravity)
 
 
-def _verdict(scene, trial, check):
+def _verdict(scene, trial, check, violation):
     if not trial.stable:
         return Status.UNSTABLE, Status.UNSTABLE.value
+    if violation > HELD:
+        return Status.NOT_CONVERGED, f"{Status.NOT_CONVERGED.value} The shape it ended with is not held as its ends say."
     if max(check.moment, check.force) > UNBALANCED:
         return Status.INACCURATE, (
             f"{Status.INACCURATE.value} Recomputed from its nodes, its moments are out of balance by "

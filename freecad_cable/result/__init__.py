@@ -3,6 +3,7 @@
 
 from .balance import Balance, balance
 from .bend import smallest_bend_radius
+from .ends import end_violation
 from .solution import Energy, Load, Solution
 
-__all__ = ["Balance", "Energy", "Load", "Solution", "balance", "smallest_bend_radius"]
+__all__ = ["Balance", "Energy", "Load", "Solution", "balance", "end_violation", "smallest_bend_radius"]

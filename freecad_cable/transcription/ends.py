@@ -18,9 +18,9 @@ def relative(target, q):
 
 
 def tangent_rows(target, q):
-    """d3 of q has no component along the target's d1 and d2."""
-    w, x, y, z = ca.vertsplit(relative(target, q))
-    return 2 * ca.vertcat(x * z + w * y, y * z - w * x)
+    """q differs from the target by a turn about d3. (That d3 has no component along the target's d1 and d2 would
+    allow the opposite direction too.)"""
+    return relative(target, q)[1:3]
 
 
 def start_rows(structure, r, q, parameters):

@@ -54,6 +54,43 @@ def test_every_combination_of_ends_that_holds(kinds, weight):
     assert solution.status is Status.CONVERGED
     assert solution.stable
     assert solution.balance.moment < 0.05 and solution.balance.force < 0.05
+    assert_ends_hold(solution)
+
+
+def assert_ends_hold(solution):
+    """What the ends prescribe, to the solver's tolerance."""
+    scene = solution.scene
+    for end, node in ((scene.start, 0), (scene.end, -1)):
+        if end.kind != "free":
+            assert solution.position[node] == pytest.approx(end.position, abs=1e-7)
+        if end.kind == "swivel":
+            tangent = rotation.tangent(solution.quaternion[node])
+            assert tangent == pytest.approx(end.tangent, abs=1e-6)
+        if end.kind == "clamped":
+            frame = rotation.matrix(solution.quaternion[node])
+            assert frame == pytest.approx(rotation.matrix(end.quaternion), abs=1e-6)
+
+
+@pytest.mark.parametrize("kinds", ["ss", "sc", "cs", "sp", "ps"])
+def test_a_cable_does_not_leave_a_connector_backwards(kinds):
+    """Both connectors look up, the weight would rather have the cable leave downwards."""
+    up, down = [0, 0, 1.0], [0, 0, -1.0]
+
+    def end(kind, position, tangent, place):
+        if kind == "c":
+            return Clamped(position, rotation.from_tangent(tangent), place=place)
+        if kind == "s":
+            return Swivel(position, tangent, place=place)
+        return Pinned(position, place=place)
+
+    scene = replace(
+        between(0.6, 30.0),
+        start=end(kinds[0], [0, 0, 0], up, "start"),
+        end=end(kinds[1], [0.6, 0, 0], down, "end"),
+    )
+    solution = find_equilibrium(scene)
+    assert solution.status is Status.CONVERGED
+    assert_ends_hold(solution)
 
 
 @pytest.mark.parametrize(
