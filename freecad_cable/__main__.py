@@ -29,7 +29,9 @@ def main(arguments=None) -> int:
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="freecad_cable", description=__doc__.split(":")[1].strip())
+    parser = argparse.ArgumentParser(
+        prog="freecad_cable", description=__doc__.split(":")[1].strip()
+    )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     solve = commands.add_parser("solve", help="find the equilibrium of scene files")
     solve.add_argument("scenes", nargs="+", type=Path, metavar="SCENE.json")

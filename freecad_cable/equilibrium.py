@@ -79,7 +79,9 @@ def _advice(scene):
     if isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned):
         ratio = scene.rod.length / max(scene.chord, 1e-12)
         if ratio < 1.001:
-            return f"Its length is only {100 * (ratio - 1):.3g} % above the chord; give it more slack."
+            return (
+                f"Its length is only {100 * (ratio - 1):.3g} % above the chord; give it more slack."
+            )
     return "Check lengths, stiffness and mass for a wrong unit; a different length may be easier."
 
 
@@ -109,17 +111,17 @@ def _near(solution, scene) -> bool:
     if abs(solution.arc_length[-1] / length - 1) > NEAR:
         return False
     for end, node in ((scene.start, 0), (scene.end, -1)):
-        if isinstance(end, Pinned):
-            if np.linalg.norm(solution.position[node] - end.position) > NEAR * length:
-                return False
-        tangent = orientation(end)
+        if not isinstance(end, Pinned):
+            continue
+        moved = np.linalg.norm(solution.position[node] - end.position) / length
+        tangent, turned = orientation(end), 0.0
         if tangent is not None:
-            if rotation.tangent(solution.quaternion[node]) @ tangent < np.cos(np.pi * NEAR):
-                return False
+            turned = np.arccos(min(1.0, rotation.tangent(solution.quaternion[node]) @ tangent))
         if isinstance(end, Clamped):
             turn = rotation.multiply(rotation.conjugate(end.quaternion), solution.quaternion[node])
-            if abs(turn[0]) < np.cos(np.pi * NEAR / 2):
-                return False
+            turned = 2 * np.arccos(min(1.0, abs(turn[0])))
+        if moved > NEAR or turned > np.pi * NEAR:
+            return False
     return True
 
 
@@ -170,7 +172,10 @@ def _verdict(scene, trial, check, violation):
     if not trial.stable:
         return Status.UNSTABLE, Status.UNSTABLE.value
     if violation > HELD:
-        return Status.NOT_CONVERGED, f"{Status.NOT_CONVERGED.value} The shape it ended with is not held as its ends say."
+        return (
+            Status.NOT_CONVERGED,
+            f"{Status.NOT_CONVERGED.value} The shape it ended with is not held as its ends say.",
+        )
     if max(check.moment, check.force) > UNBALANCED:
         return Status.INACCURATE, (
             f"{Status.INACCURATE.value} Recomputed from its nodes, its moments are out of balance by "
@@ -179,13 +184,14 @@ def _verdict(scene, trial, check, violation):
     tolerance = scene.options.tolerance
     if trial.error <= tolerance:
         return Status.CONVERGED, Status.CONVERGED.value
-    shortfall = (
-        f"The position error is estimated at {trial.error:.1g} of the length; {tolerance:g} was asked for"
-    )
+    shortfall = f"The position error is estimated at {trial.error:.1g} of the length; {tolerance:g} was asked for"
     if scene.options.elements is not None:
         # Who chooses the mesh chooses the accuracy; the estimate says which.
         return Status.CONVERGED, f"{Status.CONVERGED.value} {shortfall}, with elements fixed."
-    return Status.INACCURATE, f"{Status.INACCURATE.value} {shortfall}, and the mesh is as fine as it may be."
+    return (
+        Status.INACCURATE,
+        f"{Status.INACCURATE.value} {shortfall}, and the mesh is as fine as it may be.",
+    )
 
 
 def _effort(problem, trial):

@@ -13,6 +13,7 @@ import Part
 
 from ..errors import CableError, DocumentError
 from . import equipment, table, table_1
+from .appearance import add_appearance
 from .comparison import compare
 from .pictures import picture_curvature, picture_shapes
 
@@ -93,6 +94,7 @@ def _write(stem, scene, document, cables, comparisons):
     store, step, rows, shapes, curvature = files = [stem.with_name(stem.name + end) for end in ends]
     parts = scene.parts(document)
     document.saveAs(str(store))
+    add_appearance(store, document)
     Import.export([*parts, *cables], str(step))
     table.write_csv(rows, comparisons)
     solids = [solid for part in parts for solid in Part.getShape(part).Solids]

@@ -5,11 +5,12 @@ import Part
 from FreeCAD import Placement, Vector
 
 from ..equilibrium import find_equilibrium
-from ..errors import DocumentError
+from ..errors import CableError, DocumentError
 from ..shape.centreline import centreline_wire
 from ..shape.profile import profile
 from ..shape.sweep import sweep_profile, sweep_round
 from . import results, stored_solution
+from .cable_type import doubts
 from .property_table import Prop, wrong
 from .proxy import IncompleteError, Proxy, in_use
 from .read_scene import read_scene
@@ -85,7 +86,7 @@ class Cable(Proxy):
         scene = read_scene(obj)
         inputs = fingerprint(scene)
         if obj.SolvedInputs != inputs:
-            solution = find_equilibrium(scene, start=kept(obj, scene))
+            solution = _solved(obj, scene)
             if not solution.status.success:
                 raise _unsolved(obj, solution)
             keep(obj, solution)
@@ -112,12 +113,28 @@ class Cable(Proxy):
         obj.Shape, obj.SweptInputs = shape, inputs
 
 
+def _solved(obj, scene):
+    try:
+        return find_equilibrium(scene, start=kept(obj, scene))
+    except CableError:
+        raise
+    except (ArithmeticError, ValueError) as error:
+        raise DocumentError(
+            " ".join(
+                [
+                    f"{obj.Label}: the solver broke off: {error}. Check lengths, stiffness and mass for a wrong unit.",
+                    *doubts(obj.CableType),
+                ]
+            )
+        ) from error
+
+
 def _unsolved(obj, solution):
-    """The core names fields of its scene, a user knows properties."""
+    """The core names fields of its scene, a user knows properties; a wrong unit may be why."""
     field, _, complaint = solution.message.partition(": ")
     if field == "cable.length":
         return wrong(obj, "Length", f"{complaint}.")
-    return DocumentError(f"{obj.Label}: {solution.message}")
+    return DocumentError(" ".join([f"{obj.Label}: {solution.message}", *doubts(obj.CableType)]))
 
 
 def _section(obj):

@@ -9,7 +9,7 @@ from ..geometry import rotation
 from ..result import Solution
 from ..shape.units import from_si, vector_from_si
 from ..status import Status
-from . import cable_type
+from .cable_type import doubts
 from .property_table import Prop
 
 TABLE = tuple(
@@ -74,7 +74,7 @@ def write(cable, solution: Solution):
 
 def write_status(cable):
     """That it is solved, and warnings that do not make the shape wrong."""
-    sentences = [Status.CONVERGED.value, *cable_type.doubts(cable.CableType)]
+    sentences = [Status.CONVERGED.value, *doubts(cable.CableType)]
     if cable.BendRadiusMargin.Value < 0:
         limit = cable.SmallestBendRadius - cable.BendRadiusMargin
         sentences.append(

@@ -52,7 +52,9 @@ def direction(field, value, size=3):
     array = vector(field, value, size)
     norm = np.linalg.norm(array / max(np.abs(array).max(), 1e-300)) * np.abs(array).max()
     if not norm > 1e-9:
-        raise ProblemError(field, f"is {shown(value)}; its length is zero, so it gives no direction")
+        raise ProblemError(
+            field, f"is {shown(value)}; its length is zero, so it gives no direction"
+        )
     array = array / norm
     array.flags.writeable = False
     return array

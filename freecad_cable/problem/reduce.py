@@ -49,7 +49,9 @@ def reduce(scene: Scene) -> Model:
         (rod.axial_stiffness, STRETCH, "stretch"),
     ):
         if stiffness is None:
-            left_out.append(f"{name}: no stiffness is given, so the cable is taken as rigid in {name}")
+            left_out.append(
+                f"{name}: no stiffness is given, so the cable is taken as rigid in {name}"
+            )
         else:
             strains.extend(indices)
             kept.append(name)

@@ -37,14 +37,16 @@ class Scene:
     def _check_held(self):
         held = [end for end in (self.start, self.end) if not isinstance(end, Free)]
         if not held and not self.supports:
-            raise ProblemError("end", "both ends are free, so nothing holds the cable; hold one of them")
-        if len(held) == 1 and held[0].kind == "pinned" and not self.supports:
-            if not self.gravity.any() or self.rod.mass_per_length == 0:
-                raise ProblemError(
-                    held[0].place,
-                    "pinned, the other end free and no weight: the cable can turn freely; "
-                    "clamp this end or hold the other",
-                )
+            raise ProblemError(
+                "end", "both ends are free, so nothing holds the cable; hold one of them"
+            )
+        hinged = len(held) == 1 and held[0].kind == "pinned" and not self.supports
+        if hinged and not self.weight.any():
+            raise ProblemError(
+                held[0].place,
+                "pinned, the other end free and no weight: the cable can turn freely; "
+                "clamp this end or hold the other",
+            )
 
     def _check_length(self):
         if not (isinstance(self.start, Pinned) and isinstance(self.end, Pinned)):

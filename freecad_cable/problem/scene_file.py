@@ -47,7 +47,9 @@ def read_scene(data) -> Scene:
         optional=("gravity", "supports", "obstacles", "clearance", "options"),
     )
     if fields["schema"] != SCHEMA or isinstance(fields["schema"], bool):
-        raise ProblemError("schema", f"is {shown(fields['schema'])}; this version reads schema {SCHEMA}")
+        raise ProblemError(
+            "schema", f"is {shown(fields['schema'])}; this version reads schema {SCHEMA}"
+        )
     supports = _kinds("supports", fields.get("supports", []), SUPPORT_FIELDS, ("arc_length",))
     obstacles = _kinds("obstacles", fields.get("obstacles", []), OBSTACLE_FIELDS, ())
     start, end = (_end(place, fields[place]) for place in ("start", "end"))
@@ -85,12 +87,16 @@ def _length(fields, start, end) -> float:
     if mode is None:
         return number("cable.length", fields["length"], above=0, unit="m")
     if not isinstance(mode, dict):
-        raise ProblemError("cable.length_mode", f"is {shown(mode)}; it must be an object with a kind")
+        raise ProblemError(
+            "cable.length_mode", f"is {shown(mode)}; it must be an object with a kind"
+        )
     kind = mode.get("kind")
     if kind == "shortest":
         raise NotYetError("cable.length_mode", "shortest is not yet solved by this version")
     if kind != "slack":
-        raise ProblemError("cable.length_mode.kind", f"is {shown(kind)}; it must be slack or shortest")
+        raise ProblemError(
+            "cable.length_mode.kind", f"is {shown(kind)}; it must be slack or shortest"
+        )
     place = "cable.length_mode"
     slack = number(
         f"{place}.value", _fields(place, mode, ("kind", "value"), ())["value"], at_least=0
@@ -99,7 +105,9 @@ def _length(fields, start, end) -> float:
         raise ProblemError(place, "slack needs both ends held at a position; give a length")
     chord = float(np.linalg.norm(end.position - start.position))
     if chord == 0:
-        raise ProblemError(place, "the ends are at the same point, so slack has no base; give a length")
+        raise ProblemError(
+            place, "the ends are at the same point, so slack has no base; give a length"
+        )
     return chord * (1 + slack)
 
 
@@ -110,14 +118,18 @@ def _end(place, data):
 
 
 def _options(data) -> SolveOptions:
-    fields = _fields("options", data, (), ("tolerance", "solver", "scheme", "elements", "time_limit"))
+    fields = _fields(
+        "options", data, (), ("tolerance", "solver", "scheme", "elements", "time_limit")
+    )
     given = {name: value for name, value in fields.items() if value is not None}
     for name in ("tolerance", "time_limit"):
         if name in given:
             given[name] = number(f"options.{name}", given[name], above=0)
     elements = given.get("elements")
     if elements is not None and (isinstance(elements, bool) or not isinstance(elements, int)):
-        raise ProblemError("options.elements", f"is {shown(elements)}; it must be a whole number or null")
+        raise ProblemError(
+            "options.elements", f"is {shown(elements)}; it must be a whole number or null"
+        )
     return SolveOptions(**given)
 
 
@@ -138,7 +150,9 @@ def _kind(place, data, kinds):
         raise ProblemError(place, f"is {shown(data)}; it must be an object with a kind")
     kind = data.get("kind")
     if not isinstance(kind, str) or kind not in kinds:
-        raise ProblemError(f"{place}.kind", f"is {shown(kind)}; it must be one of {', '.join(kinds)}")
+        raise ProblemError(
+            f"{place}.kind", f"is {shown(kind)}; it must be one of {', '.join(kinds)}"
+        )
     return kind
 
 

@@ -6,4 +6,12 @@ from .bend import smallest_bend_radius
 from .ends import end_violation
 from .solution import Energy, Load, Solution
 
-__all__ = ["Balance", "Energy", "Load", "Solution", "balance", "end_violation", "smallest_bend_radius"]
+__all__ = [
+    "Balance",
+    "Energy",
+    "Load",
+    "Solution",
+    "balance",
+    "end_violation",
+    "smallest_bend_radius",
+]

@@ -62,9 +62,7 @@ def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | N
         1e-6 * rod.bending_stiffness.max() / length,
     )
     unbalanced = np.linalg.norm(rotation.cross(lever, unknown[:3] - force[0]), axis=1)
-    return Balance(
-        moment=float(residual.max() / scale), force=float(unbalanced.max() / scale)
-    )
+    return Balance(moment=float(residual.max() / scale), force=float(unbalanced.max() / scale))
 
 
 def _hat(v):

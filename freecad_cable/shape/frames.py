@@ -57,9 +57,7 @@ class Frames:
         For those ω = t × t', so ω' = t × t''.
         """
         t, first, second = self.axis(2)
-        d1, d2 = self.axes[:, :, 0], self.axes[:, :, 1]
-        cosine, sine = np.cos(self.twist)[:, None], np.sin(self.twist)[:, None]
-        axes = np.stack([cosine * d1 - sine * d2, sine * d1 + cosine * d2, t], axis=2)
+        axes = _untwisted(self.axes, self.twist)
         spin, spin_rate = np.cross(t, first), np.cross(t, second)
         return Frames(
             self.parameter, self.position, axes, spin, spin_rate, np.zeros_like(self.twist)
@@ -104,14 +102,28 @@ def frames(nodes) -> list[Frames]:
 def _run(start, twist, s, position, axes, curvature) -> Frames:
     """The frames of one run that begins at the parameter ``start`` with ``twist``."""
     step = np.diff(s)
-    elongation = _elongation(step, position, axes, curvature)
+    order = min(2, len(step))
+    bend_1, bend_2, third = curvature.T
+    slope = np.gradient(third, s, edge_order=order)
+    turns = step / 2 * (third[:-1] + third[1:]) + step**2 / 12 * (slope[:-1] - slope[1:])
+    twist = twist + np.concatenate(([0.0], np.cumsum(turns)))
+    # Differences between the nodes are taken in frames without twist, which may be fast.
+    plain = _untwisted(axes, twist)
+    cosine, sine = np.cos(twist), np.sin(twist)
+    k = np.stack([cosine * bend_1 - sine * bend_2, sine * bend_1 + cosine * bend_2, third], axis=1)
+    rate = np.gradient(k, s, axis=0, edge_order=order) + np.cross(k * (1, 1, 0), k)
+    spin, spin_rate = (np.einsum("nij,nj->ni", plain, x) for x in (k, rate))
+    elongation = _elongation(Frames(s, position, axes, spin, spin_rate, twist))
     parameter = start + np.concatenate(([0.0], np.cumsum(step * elongation)))
-    curvature = curvature / _at_nodes(step, elongation[:, None])
-    rate = np.gradient(curvature, parameter, axis=0, edge_order=min(2, len(step)))
-    spin, spin_rate = (np.einsum("nij,nj->ni", axes, x) for x in (curvature, rate))
-    twisting = _integrals(np.diff(parameter), curvature[:, 2:], rate[:, 2:])[:, 0]
-    twist = twist + np.concatenate(([0.0], np.cumsum(twisting)))
-    return Frames(parameter, position, axes, spin, spin_rate, twist)
+    ratio = _at_nodes(step, elongation[:, None])
+    return Frames(parameter, position, axes, spin / ratio, spin_rate / ratio**2, twist)
+
+
+def _untwisted(axes, twist):
+    """The axes (n, 3, 3) turned back by ``twist`` (n,) about d3."""
+    cosine, sine = np.cos(twist)[:, None], np.sin(twist)[:, None]
+    d1, d2 = axes[:, :, 0], axes[:, :, 1]
+    return np.stack([cosine * d1 - sine * d2, sine * d1 + cosine * d2, axes[:, :, 2]], axis=2)
 
 
 def _jumps(step, mean):
@@ -139,26 +151,25 @@ def _at_nodes(step, mean):
     return np.concatenate((2 * mean[:1] - inner[:1], inner, 2 * mean[-1:] - inner[-1:]))
 
 
-def _integrals(step, value, first):
-    """∫ over the pieces (m, d) of a function with values and derivatives (m+1, d) at the nodes.
+def _elongation(unstretched):
+    """How many times longer than in ``unstretched`` the pieces between the nodes are: chord over ∫ d3 ds.
 
-    Hermite's rule h (a + b) / 2 + h² (a' − b') / 12, of order 4.
+    Hermite's rule h (a + b) / 2 + h² (a' − b') / 10 + h³ (a'' + b'') / 120, of order 6.
     """
-    h = step[:, None]
-    return h / 2 * (value[:-1] + value[1:]) + h**2 / 12 * (first[:-1] - first[1:])
-
-
-def _elongation(step, position, axes, curvature):
-    """How many times longer than ``step`` the pieces are (m,): chord over ∫ d3 ds."""
-    tangent = axes[:, :, 2]
-    bend = np.cross(np.einsum("nij,nj->ni", axes, curvature), tangent)
-    chord = np.linalg.norm(np.diff(position, axis=0), axis=1)
-    ratio = chord / np.linalg.norm(_integrals(step, tangent, bend), axis=1)
-    wrong = (ratio < 0.5) | (ratio > 2)
+    h = np.diff(unstretched.parameter)[:, None]
+    d, first, second = unstretched.axis(2)
+    integral = (
+        h / 2 * (d[:-1] + d[1:])
+        + h**2 / 10 * (first[:-1] - first[1:])
+        + h**3 / 120 * (second[:-1] + second[1:])
+    )
+    chord = np.linalg.norm(np.diff(unstretched.position, axis=0), axis=1)
+    expected = np.linalg.norm(integral, axis=1)
+    wrong = (chord < expected / 2) | (chord > 2 * expected)
     if wrong.any():
         k = int(np.argmax(wrong))
         raise DocumentError(
             f"The positions, tangents and arc lengths of the nodes do not belong together: two nodes are "
-            f"{chord[k]:.4g} mm apart and should be {chord[k] / ratio[k]:.4g} mm apart."
+            f"{chord[k]:.4g} mm apart and should be {expected[k]:.4g} mm apart."
         )
-    return ratio
+    return chord / expected

@@ -42,7 +42,12 @@ def available(name: str) -> bool:
 def built(structure: Structure, name: str):
     """Solver of a structure; the same one for every scene that shares it."""
     nlp = build(structure)
-    options = {"print_time": False, "record_time": True, "error_on_fail": False, "show_eval_warnings": False}
+    options = {
+        "print_time": False,
+        "record_time": True,
+        "error_on_fail": False,
+        "show_eval_warnings": False,
+    }
     if name == "fatrop":
         nx, nu, ng = (list(column) for column in zip(*nlp.stage_sizes, strict=True))
         options |= {

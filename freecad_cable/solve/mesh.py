@@ -83,9 +83,7 @@ def size(elements) -> int:
 
 
 def _equidistributed(s, density, elements):
-    cumulative = np.concatenate(
-        [[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))]
-    )
+    cumulative = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))])
     # A floor on the density keeps the largest element at most four times the average.
     cumulative = cumulative / cumulative[-1] + s / 3
     nodes = np.interp(np.linspace(0, cumulative[-1], elements + 1), cumulative, s)

@@ -45,9 +45,7 @@ class Trial:
     def error(self) -> float:
         """Estimate of the largest position error of a node, relative to the length."""
         structure = self.nlp.structure
-        correction = strong_form.correction(
-            self.shape, self.values, structure
-        )
+        correction = strong_form.correction(self.shape, self.values, structure)
         return float(np.linalg.norm(correction[:, :3], axis=1).max())
 
     @cached_property
@@ -80,9 +78,7 @@ class Problem:
 
     @classmethod
     def of(cls, scene: Scene, model: Model) -> "Problem":
-        return cls(
-            scene, model, Scaling.of(scene), time.perf_counter() + scene.options.time_limit
-        )
+        return cls(scene, model, Scaling.of(scene), time.perf_counter() + scene.options.time_limit)
 
     @property
     def scheme(self) -> str:

@@ -2,9 +2,9 @@
 """Derivatives of the program, block by block.
 
 Nothing couples two stages but the gaps, which are linear in the next state, so the Hessian of the
-Lagrangian is block diagonal. The block of an element is made once, symbolically, by the chain rule through the screw, and
-written out for every element: half the operations, and a fraction of the building time, of
-differentiating the whole program.
+Lagrangian is block diagonal. The block of an element is made once, symbolically, by the chain rule
+through the screw, and written out for every element: half the operations, and a fraction of the
+building time, of differentiating the whole program.
 """
 
 import casadi as ca

@@ -36,8 +36,8 @@ PARAMETERS = {
 
 @dataclass(frozen=True)
 class Nlp:
-    """A program without numbers. ``x``, ``g``, ``f``, ``p`` are SX columns; ``energies`` is (bending, torsion, stretch, gravity),
-    ``mean`` the mean position over the first element, from its first node.
+    """A program without numbers. ``x``, ``g``, ``f``, ``p`` are SX columns; ``energies`` is (bending,
+    torsion, stretch, gravity), ``mean`` the mean position over the first element, from its first node.
 
     ``gaps[k]`` is the first row of gap k, ``states[k]`` and ``controls[k]`` the slices of x.
     """

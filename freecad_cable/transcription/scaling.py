@@ -45,7 +45,10 @@ class Scaling:
         """(6,) of κ1, κ2, τ, γ1, γ2, ε without units; 0 where the rod is rigid."""
         shear, axial = rod.shear_stiffness or 0.0, rod.axial_stiffness or 0.0
         return np.concatenate(
-            [rod.stiffness / (self.force * self.length**2), np.array([shear, shear, axial]) / self.force]
+            [
+                rod.stiffness / (self.force * self.length**2),
+                np.array([shear, shear, axial]) / self.force,
+            ]
         )
 
     def parameters(self, scene: Scene, start_frame, end_frame, load=1.0) -> dict:

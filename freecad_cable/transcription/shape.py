@@ -55,7 +55,9 @@ class Shape:
 
         # Frames along the turn between neighbouring nodes, positions along the cubic that their
         # tangents define: linear ones would shorten the rod.
-        k = np.clip(np.searchsorted(self.arc_length, arc_length, "right") - 1, 0, len(self.steps) - 1)
+        k = np.clip(
+            np.searchsorted(self.arc_length, arc_length, "right") - 1, 0, len(self.steps) - 1
+        )
         h = self.steps[k]
         t = ((arc_length - self.arc_length[k]) / h)[:, None]
         a, b = self.quaternion[k], self.quaternion[k + 1]

@@ -29,7 +29,9 @@ def test_exponential_and_logarithm():
     assert quarter == pytest.approx([0, 1, 0], abs=ROUNDING)
 
 
-@pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-3, 1.0, 3.0, np.pi - 1e-3, np.pi - 1e-5, np.pi - 1e-9, np.pi])
+@pytest.mark.parametrize(
+    "angle", [0.0, 1e-9, 1e-3, 1.0, 3.0, np.pi - 1e-3, np.pi - 1e-5, np.pi - 1e-9, np.pi]
+)
 def test_shortest_arc_arrives(angle):
     a = unit(3)
     across = np.cross(a, unit(3))

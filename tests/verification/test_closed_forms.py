@@ -131,16 +131,16 @@ def test_twist_of_a_straight_rod(angle):
     solution = solved(pulled, Clamped([0, 0, 0], ALONG_X), Clamped([1.002, 0, 0], end))
     exact = twisted_rod(solution.arc_length, angle, 0.8)
     torque = np.einsum("ki,ki->k", solution.moment, rotation.tangent(solution.quaternion))
-    assert torque == pytest.approx(exact.moment[0] @ rotation.tangent(exact.quaternion[0]), rel=1e-6)
+    assert torque == pytest.approx(
+        exact.moment[0] @ rotation.tangent(exact.quaternion[0]), rel=1e-6
+    )
     assert solution.energy.torsion == pytest.approx(0.8 * angle**2 / 2, rel=1e-6)
     # Hooke: EA times the strain.
     assert solution.force[:, 0] == pytest.approx(1e4 * 0.002, rel=1e-6)
 
 
 def test_torsion_is_left_out_where_an_end_may_twist():
-    solution = solved(
-        rod(weight=5.0), Clamped([0, 0, 0], ALONG_X), Swivel([0.7, 0, 0], [1, 0, 0])
-    )
+    solution = solved(rod(weight=5.0), Clamped([0, 0, 0], ALONG_X), Swivel([0.7, 0, 0], [1, 0, 0]))
     assert any(sentence.startswith("torsion") for sentence in solution.left_out)
     torque = np.einsum("ki,ki->k", solution.moment, rotation.tangent(solution.quaternion))
     assert np.abs(torque).max() < 1e-6 * np.abs(solution.moment).max()
@@ -183,7 +183,5 @@ def test_extensible_hanging_cable(axial):
 
 def test_rod_that_hangs_from_a_pin_stretches():
     axial, weight = 50.0, 3.0
-    solution = solved(
-        rod(weight=weight, axial_stiffness=axial), Pinned([0, 0, 0]), Free()
-    )
+    solution = solved(rod(weight=weight, axial_stiffness=axial), Pinned([0, 0, 0]), Free())
     assert_same(solution, hanging_rod(solution.arc_length, weight, axial), tolerance=1e-6)

@@ -47,7 +47,10 @@ def between(chord, weight, kinds="cc", **options):
 
 @pytest.mark.parametrize(
     ("kinds", "weight"),
-    [*product(["cc", "sc", "cs", "ss", "pc", "cp", "pp", "cf", "fc", "sp"], [0.0, 30.0, 3e3]), ("pf", 30.0)],
+    [
+        *product(["cc", "sc", "cs", "ss", "pc", "cp", "pp", "cf", "fc", "sp"], [0.0, 30.0, 3e3]),
+        ("pf", 30.0),
+    ],
 )
 def test_every_combination_of_ends_that_holds(kinds, weight):
     solution = find_equilibrium(between(0.8, weight, kinds))
@@ -94,7 +97,8 @@ def test_a_cable_does_not_leave_a_connector_backwards(kinds):
 
 
 @pytest.mark.parametrize(
-    ("chord", "weight"), [(0.999, 0.0), (0.99, 1e3), (0.9, 1e5), (0.5, 1e6), (0.05, 0.0), (0.05, 100.0)]
+    ("chord", "weight"),
+    [(0.999, 0.0), (0.99, 1e3), (0.9, 1e5), (0.5, 1e6), (0.05, 0.0), (0.05, 100.0)],
 )
 def test_taut_heavy_and_slack(chord, weight):
     solution = find_equilibrium(between(chord, weight))

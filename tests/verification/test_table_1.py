@@ -50,7 +50,12 @@ def test_the_tolerance_asked_for_is_met_and_the_estimate_is_honest(table_1, leng
 def test_another_energy_minimum_is_not_lower(table_1, length):
     """The two lowest minima differ by a full turn; with −z gravity the untwisted one is the lower
     (measured by 80 random starts a length; its energies in J)."""
-    lowest = {0.55: 0.050928978775, 0.64: 0.052127358827, 0.73: 0.050253567709, 0.82: 0.045556855607}
+    lowest = {
+        0.55: 0.050928978775,
+        0.64: 0.052127358827,
+        0.73: 0.050253567709,
+        0.82: 0.045556855607,
+    }
     solution = find_equilibrium(table_1(length, tolerance=1e-7))
     assert solution.energy.total == pytest.approx(lowest[length], rel=1e-6)
 
