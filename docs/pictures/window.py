@@ -1,55 +1,70 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Take the pictures of FreeCAD's window for the README, of what ``./run demo`` wrote.
+"""Take the picture of FreeCAD's window for the README, with the equipment that ``./run demo`` wrote.
 
-    CABLE_DEMO_FOLDER=demo-output xvfb-run -a -s "-screen 0 1280x800x24" freecad docs/pictures/window.py
+    xvfb-run -a -s "-screen 0 1440x900x24" freecad docs/pictures/window.py
 
-The add-on has to be installed; it writes into the folder where this file is.
+Runs in the folder of the checkout, of an installed add-on.
 """
 
 import os
 import sys
+import time
 import traceback
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-HERE = os.path.dirname(os.path.abspath(sys.argv[-1]))
+STORED = "demo-output/equipment.FCStd"
+PICTURE = "docs/pictures/window.png"
+
+CABLE = "W3"
+"""is selected."""
+
+WIDTH = 380
+"""of tree and properties [pixels]"""
+
+AROUND = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 28)
+TILT = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 62)
 
 
-def colour(hexadecimal):
-    return tuple(int(hexadecimal[k : k + 2], 16) / 255 for k in (1, 3, 5))
-
-
-def show():
-    from freecad_cable.demo.pictures import COLOURS
-
-    document = FreeCAD.openDocument(os.path.join(os.environ["CABLE_DEMO_FOLDER"], "equipment.FCStd"))
-    for obj in document.Objects:
-        view, kind = obj.ViewObject, type(getattr(obj, "Proxy", None)).__name__
-        if obj.TypeId.startswith("App::") and obj.TypeId != "App::Part":
-            view.Visibility = False
-        elif kind in ("Terminal", "Centreline"):
-            view.Visibility = False
-        elif obj.TypeId == "Part::Feature":
-            print(view.Visibility, obj.Visibility, file=sys.__stdout__); view.Visibility = True
-            view.ShapeColor, view.LineColor, view.LineWidth = colour("#c3ccd4"), colour("#7d8892"), 1
-    cables = [obj for obj in document.Objects if type(getattr(obj, "Proxy", None)).__name__ == "Cable"]
-    print(len(cables), file=sys.__stdout__)
-
-
-def main():
-    show()
+def picture():
+    window = FreeCADGui.getMainWindow()
+    window.showFullScreen()
+    FreeCADGui.activateWorkbench("CableWorkbench")
+    window.findChild(QtGui.QDockWidget, "Report view").hide()
+    combo = window.findChild(QtGui.QDockWidget, "Combo View")
+    window.resizeDocks([combo], [WIDTH], QtCore.Qt.Horizontal)
+    document = FreeCAD.openDocument(STORED)
+    wait()
     view = FreeCADGui.activeView()
-    view.viewIsometric()
+    view.setCameraOrientation(AROUND * TILT)
     FreeCADGui.SendMsgToActiveView("ViewFit")
-    view.saveImage(os.path.join(HERE, "x.png"), 1200, 800, "White")
+    FreeCADGui.runCommand("Std_ViewZoomIn")
+    FreeCADGui.Selection.addSelection(document.getObjectsByLabel(CABLE)[0])
+    wait()
+    for tree in combo.findChildren(QtGui.QTreeWidget):
+        for item in tree.findItems(CABLE, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive):
+            item.setExpanded(True)
+    for properties in combo.findChildren(QtGui.QTreeView):
+        if properties.isVisible() and "PropertyEditor" in properties.metaObject().className():
+            properties.setColumnWidth(0, WIDTH // 2)
+            properties.verticalScrollBar().setValue(properties.verticalScrollBar().maximum())
+    wait()
+    window.screen().grabWindow(window.winId()).save(PICTURE)
+
+
+def wait(seconds=2):
+    """Let the window draw itself."""
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        FreeCADGui.updateGui()
 
 
 def run():
     status = 0
     try:
-        main()
+        picture()
     except Exception:
         traceback.print_exc(file=sys.__stdout__)
         status = 1
@@ -57,4 +72,5 @@ def run():
     os._exit(status)
 
 
+# When the window is up.
 QtCore.QTimer.singleShot(2000, run)
