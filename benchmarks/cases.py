@@ -98,7 +98,9 @@ CASES = (
         "EI₁ : EI₂ : GJ = 1 : 3 : 0.8, natural curvature (1, 2)/L and twist 0.5/L, w L³/EI₁ = 30",
         tilted(1.25, 30.0, bending_stiffness=(1.0, 3.0), natural_curvature=(1.0, 2.0, 0.5)),
     ),
-    Case("swivel and free", "a swivel at 45° upwards and a free end, w L³/EI = 30", cantilever(30.0)),
+    Case(
+        "swivel and free", "a swivel at 45° upwards and a free end, w L³/EI = 30", cantilever(30.0)
+    ),
 )
 
 

@@ -14,6 +14,8 @@ NO_SLACK = 1e-7
 """Slack, relative to the length, below which an inextensible cable has no finite tension that a
 computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 
+HEAVIEST = 2e7
+"""Weight ratio above which no case was ever solved; a wrong unit is likelier than such a cable."""
 NEAR = 0.1
 """Change of length, of an end's place in lengths and of its direction in half turns, up to which an earlier shape is
 a start."""
@@ -45,6 +47,13 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
             "Install it with: python3 -m pip install --no-deps casadi"
         ) from error
     problem = Problem.of(scene, model)
+    if problem.scaling.weight_ratio > HEAVIEST:
+        message = (
+            f"{Status.NOT_CONVERGED.value} Its weight against its bending stiffness, w L³/EI, is "
+            f"{problem.scaling.weight_ratio:.0e}, and {HEAVIEST:.0e} is the most that this version can solve: check "
+            "mass, stiffness and length for a wrong unit."
+        )
+        return Solution(scene=scene, status=Status.NOT_CONVERGED, message=message)
     try:
         trial = find(problem, None if start is None else _nodes(start, problem))
     except TimeUpError:
@@ -122,6 +131,12 @@ def _near(solution, scene) -> bool:
             turned = 2 * np.arccos(min(1.0, abs(turn[0])))
         if moved > NEAR or turned > np.pi * NEAR:
             return False
+    # The old moments must be nearly those of this rod, or stiffness has changed by more than a start can bear.
+    frames = rotation.matrix(solution.quaternion)
+    moment = np.einsum("kij,ki->kj", frames, solution.moment)
+    ours = scene.rod.stiffness * (solution.curvature - scene.rod.natural_curvature)
+    if np.abs(moment - ours).max() > 0.5 * np.abs(ours).max():
+        return False
     return True
 
 
@@ -179,7 +194,7 @@ def _verdict(scene, trial, check, violation):
     if max(check.moment, check.force) > UNBALANCED:
         return Status.INACCURATE, (
             f"{Status.INACCURATE.value} Recomputed from its nodes, its moments are out of balance by "
-            f"{max(check.moment, check.force):.0%} of the largest."
+            f"{max(check.moment, check.force):.0%}."
         )
     tolerance = scene.options.tolerance
     if trial.error <= tolerance:

@@ -65,7 +65,7 @@ def run():
     status = 0
     try:
         picture()
-    except Exception:
+    except Exception:  # noqa: BLE001 - becomes the exit code
         traceback.print_exc(file=sys.__stdout__)
         status = 1
     sys.__stdout__.flush()

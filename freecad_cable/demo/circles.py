@@ -48,5 +48,5 @@ def _circles(root, path):
         return
     shape = Part.getShape(root, path)
     for k, edge in enumerate(shape.Edges, 1):
-        if edge.Closed and isinstance(edge.Curve, Part.Circle):
+        if edge.Closed and not edge.Degenerated and isinstance(edge.Curve, Part.Circle):
             yield f"{path}Edge{k}", edge.Curve

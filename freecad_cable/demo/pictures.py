@@ -42,7 +42,7 @@ DEFLECTION = 2.0
 WIDTH = 0.5
 """Points of a line for a millimetre of diameter: about to scale."""
 
-DOTS_PER_INCH = 100
+DOTS_PER_INCH = 92
 
 plt.rcParams.update(
     {
@@ -82,8 +82,9 @@ def picture_curvature(path, title, comparisons, columns):
     for k, (axes, comparison) in enumerate(zip(grid.flat, comparisons, strict=True)):
         _draw_curvature(axes, comparison, _colour(k))
     # A spline may bend as sharply as it likes; three times what a cable bears is enough to show.
-    limit = 1e3 / min(c.allowed for c in comparisons)
-    grid[0, 0].set_ylim(0, min(max(1.3 * limit, grid[0, 0].get_ylim()[1]), 3 * limit))
+    limit = 1 / min(c.allowed for c in comparisons)
+    highest = max(line.curvature.max() for c in comparisons for line in (c.cable, c.spline))
+    grid[0, 0].set_ylim(0, 1e3 * min(max(1.3 * limit, 1.1 * highest), 3 * limit))
     for axes in grid[:, 0]:
         axes.set_ylabel("curvature [1/m]")
     for axes in grid[-1]:

@@ -93,6 +93,7 @@ def _write(stem, scene, document, cables, comparisons):
     ends = (".FCStd", ".step", ".csv", "-shapes.png", "-curvature.png")
     store, step, rows, shapes, curvature = files = [stem.with_name(stem.name + end) for end in ends]
     parts = scene.parts(document)
+    store.unlink(missing_ok=True)  # or FreeCAD keeps a copy beside it
     document.saveAs(str(store))
     add_appearance(store, document)
     Import.export([*parts, *cables], str(step))

@@ -28,7 +28,7 @@ COLUMNS = (
     Column("difference", "%", "relative_difference", 1),
     Column("bend radius", "mm", "radius", 1),
     Column("spline bend radius", "mm", "spline_radius", 1),
-    Column("allowed", "mm", "allowed", 1),
+    Column("allowed", "mm", "allowed", 2),
     Column("solve time", "s", "solve_time", 3),
 )
 """The form of Table 2 of the paper, see ``table_1``, with bend radii; the difference is spline less cable."""

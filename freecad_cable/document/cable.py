@@ -50,14 +50,26 @@ class Cable(Proxy):
             "Acceleration of gravity in m/s^2, in the coordinates of the container of the cable",
             Vector(0, 0, -9.81),
         ),
-        Prop("Tolerance", "Float", "Cable", "Error of position asked for, relative to the length", 1e-4),
+        Prop(
+            "Tolerance",
+            "Float",
+            "Cable",
+            "Error of position asked for, relative to the length",
+            1e-4,
+        ),
         Prop(
             "Profile",
             "LinkGlobal",
             "Cable",
             "Closed sketch swept instead of a circle: its x and y turn with the axes of the section",
         ),
-        Prop("Centreline", "LinkHidden", "Cable", "Its centreline, drawn as a wire of its own", result=True),
+        Prop(
+            "Centreline",
+            "LinkHidden",
+            "Cable",
+            "Its centreline, drawn as a wire of its own",
+            result=True,
+        ),
         *results.TABLE,
         *stored_solution.TABLE,
     )
@@ -116,17 +128,12 @@ class Cable(Proxy):
 def _solved(obj, scene):
     try:
         return find_equilibrium(scene, start=kept(obj, scene))
-    except CableError:
-        raise
+    except CableError as error:
+        raise DocumentError(f"{obj.Label}: {error}") from None
     except (ArithmeticError, ValueError) as error:
-        raise DocumentError(
-            " ".join(
-                [
-                    f"{obj.Label}: the solver broke off: {error}. Check lengths, stiffness and mass for a wrong unit.",
-                    *doubts(obj.CableType),
-                ]
-            )
-        ) from error
+        broken = f"{obj.Label}: the solver broke off: {error}."
+        advice = "Check lengths, stiffness and mass for a wrong unit."
+        raise DocumentError(" ".join([broken, advice, *doubts(obj.CableType)])) from error
 
 
 def _unsolved(obj, solution):
@@ -142,7 +149,9 @@ def _section(obj):
     if obj.Profile is None:
         return "round"
     try:
-        return fingerprint(profile(getattr(obj.Profile, "Shape", Part.Shape())).outlines, PROFILE_DECIMALS)
+        return fingerprint(
+            profile(getattr(obj.Profile, "Shape", Part.Shape())).outlines, PROFILE_DECIMALS
+        )
     except DocumentError as error:
         raise wrong(obj, "Profile", f"{obj.Profile.Label}: {error}") from None
 

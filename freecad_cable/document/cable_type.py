@@ -79,8 +79,16 @@ class CableType(Proxy):
             "1.18e-3 N*m^2",
             unit="N*m^2",
         ),
-        Prop("AxialStiffness", "Force", "Section", "Axial stiffness EA; 0: does not stretch", unit="N"),
-        Prop("ShearStiffness", "Force", "Section", "Shear stiffness GA; 0: does not shear", unit="N"),
+        Prop(
+            "AxialStiffness",
+            "Force",
+            "Section",
+            "Axial stiffness EA; 0: does not stretch",
+            unit="N",
+        ),
+        Prop(
+            "ShearStiffness", "Force", "Section", "Shear stiffness GA; 0: does not shear", unit="N"
+        ),
         Prop(
             "NaturalCurvature",
             "Vector",
@@ -106,7 +114,9 @@ class CableType(Proxy):
             choices=("Inside", "Centreline"),
         ),
         Prop("Provenance", "String", "Section", "Where the numbers come from"),
-        Prop("Status", "String", "Result", "The section in words, and what looks wrong", result=True),
+        Prop(
+            "Status", "String", "Result", "The section in words, and what looks wrong", result=True
+        ),
     )
 
     def set_editor_modes(self, obj):
@@ -132,7 +142,11 @@ class CableType(Proxy):
     def rod(self, obj, length) -> Rod:
         """The rod of a cable of this type, of ``length`` [m]. Errors: ``DocumentError``."""
         checked = Checked(obj, self.TABLE)
-        second = "SecondBendingStiffness" if checked.number("SecondBendingStiffness") else "BendingStiffness"
+        second = (
+            "SecondBendingStiffness"
+            if checked.number("SecondBendingStiffness")
+            else "BendingStiffness"
+        )
         diameter = to_si("length", checked.number("OuterDiameter", above=0))
         limit = to_si("length", checked.number("MinBendRadius", at_least=0))
         if limit and obj.BendRadiusConvention == "Inside":

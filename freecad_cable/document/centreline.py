@@ -23,7 +23,7 @@ class Centreline(Child):
         obj.setEditorMode("Placement", 2)
 
     def run(self, obj):
-        cable = self.cable(obj)
+        cable = self.solved_cable(obj)
         obj.Placement = Placement()
         obj.Shape = centreline_wire(kept(cable, read_scene(cable)))
         obj.Length = obj.Shape.Length

@@ -2,6 +2,7 @@
 """What is drawn beside a cable and stands under it in the tree."""
 
 from ..errors import DocumentError
+from .cable import Cable
 from .property_table import Prop, wrong
 from .proxy import Proxy, proxy_of
 
@@ -11,15 +12,20 @@ CABLE = Prop("Cable", "Link", "Cable", "The cable it belongs to")
 class Child(Proxy):
     """Base of what belongs to one cable."""
 
-    def cable(self, obj):
-        """The cable, solved. Errors: ``DocumentError``."""
-        from .cable import Cable
-
+    def linked_cable(self, obj):
+        """The cable. Errors: ``DocumentError`` if there is none."""
         cable = obj.Cable
         if cable is None:
-            raise wrong(obj, "Cable", "is empty: the cable was deleted; delete this too or choose another.")
+            raise wrong(
+                obj, "Cable", "is empty: the cable was deleted; delete this too or choose another."
+            )
         if proxy_of(cable, Cable) is None:
             raise wrong(obj, "Cable", f"is {cable.Label}, which is no cable; choose a cable.")
+        return cable
+
+    def solved_cable(self, obj):
+        """The same, with an answer."""
+        cable = self.linked_cable(obj)
         if not cable.SolvedInputs:
             raise DocumentError(cable.Status or f"{cable.Label} is not solved; recompute it.")
         return cable

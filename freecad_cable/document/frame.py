@@ -37,7 +37,9 @@ def frame_of(found, axes=None, reverse=False) -> Frame:
     """
     shape = found.element
     if axes is not None and (shape is None or shape.ShapeType != "Vertex"):
-        raise DocumentError(f"{found.name} has axes of its own; only a vertex takes a second entry.")
+        raise DocumentError(
+            f"{found.name} has axes of its own; only a vertex takes a second entry."
+        )
     if shape is None:
         return Frame(_turned(found.placement, reverse), POINT_SIZE)
     if shape.ShapeType == "Vertex":

@@ -71,7 +71,9 @@ def cable(doc, *, start, end, cable_type=None, length=None, slack=None, **proper
         if proxy_of(end_terminal, Terminal) is None:
             raise DocumentError(f"The {name} is {_said(end_terminal)}; it must be a terminal.")
     if cable_type is not None and proxy_of(cable_type, CableType) is None:
-        raise DocumentError(f"The cable type is {_said(cable_type)}; make one with make.cable_type.")
+        raise DocumentError(
+            f"The cable type is {_said(cable_type)}; make one with make.cable_type."
+        )
     inside = container(start)
     with _made(doc, "Part::FeaturePython", "Cable", Cable, inside) as obj:
         obj.LengthMode = "Fixed" if length is not None else "Slack"
@@ -111,16 +113,19 @@ def _made(doc, kind, name, proxy, inside=None):
 def _apply(obj, properties):
     """Set the properties given by keyword."""
     table = {_keyword(p.name): p for p in obj.Proxy.TABLE if not p.result and "Link" not in p.kind}
-    if obj.Proxy.__class__ is Cable:
+    if proxy_of(obj, Cable):
         table["profile"] = next(p for p in Cable.TABLE if p.name == "Profile")
     for key, value in properties.items():
         prop = table.get(key)
         if prop is None:
-            raise DocumentError(f"{key} is no property of a {obj.Name}; known are {', '.join(sorted(table))}.")
+            kind, known = type(obj.Proxy).__name__, ", ".join(sorted(table))
+            raise DocumentError(f"{key} is no property of a {kind}; known are {known}.")
         if prop.choices and value not in prop.choices:
             raise DocumentError(f"{key} is {value!r}; it must be one of {', '.join(prop.choices)}.")
         if prop.kind in NEEDS_UNIT and isinstance(value, (int, float)):
-            raise DocumentError(f"{key} is {value!r} without a unit; give it as '{value!r} {prop.unit}'.")
+            raise DocumentError(
+                f"{key} is {value!r} without a unit; give it as '{value!r} {prop.unit}'."
+            )
         try:
             setattr(obj, prop.name, value)
         except (ArithmeticError, AttributeError, RuntimeError, TypeError, ValueError):

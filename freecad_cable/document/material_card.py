@@ -45,4 +45,6 @@ def _quantity(path, entries, key, unit):
     try:
         return float(Units.Quantity(value).getValueAs(unit) if unit else Units.Quantity(value))
     except (ValueError, ArithmeticError, TypeError, OSError):
-        raise DocumentError(f"The material card {path}, {key}: {value!r} is no number in {unit}.") from None
+        raise DocumentError(
+            f"The material card {path}, {key}: {value!r} is no number in {unit}."
+        ) from None

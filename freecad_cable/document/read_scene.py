@@ -50,9 +50,13 @@ def _terminals(cable):
     for name in ("Start", "End"):
         terminal = getattr(cable, name)
         if terminal is None:
-            raise wrong(cable, name, "is empty; choose a terminal. One that is Free lets the end hang.")
+            raise wrong(
+                cable, name, "is empty; choose a terminal. One that is Free lets the end hang."
+            )
         if proxy_of(terminal, Terminal) is None:
-            raise wrong(cable, name, f"is {terminal.Label}, which is no cable terminal; choose a terminal.")
+            raise wrong(
+                cable, name, f"is {terminal.Label}, which is no cable terminal; choose a terminal."
+            )
         if terminal.Status:
             raise DocumentError(terminal.Status)
         if container(terminal) is not container(cable):
@@ -63,7 +67,9 @@ def _terminals(cable):
             )
         found.append(terminal)
     if found[0] is found[1]:
-        raise wrong(cable, "End", f"is {found[0].Label} and so is Start; choose two different terminals.")
+        raise wrong(
+            cable, "End", f"is {found[0].Label} and so is Start; choose two different terminals."
+        )
     return found
 
 
@@ -109,7 +115,9 @@ def _length(cable, checked, chord):
     if not chord:
         reason = "the terminals are at the same point" if chord == 0 else "an end is free"
         raise wrong(
-            cable, "LengthMode", f"is Slack, but {reason}, so there is no straight distance; use Fixed."
+            cable,
+            "LengthMode",
+            f"is Slack, but {reason}, so there is no straight distance; use Fixed.",
         )
     return chord * (1 + slack)
 

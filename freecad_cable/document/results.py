@@ -17,7 +17,11 @@ TABLE = tuple(
     for name, kind, text in (
         ("SolvedLength", "Length", "Length of the unloaded cable"),
         ("SmallestBendRadius", "Distance", "Smallest bend radius of the centreline"),
-        ("SmallestBendRadiusAt", "Distance", "Distance of the tightest place from the start, along the cable"),
+        (
+            "SmallestBendRadiusAt",
+            "Distance",
+            "Distance of the tightest place from the start, along the cable",
+        ),
         (
             "BendRadiusMargin",
             "Distance",
@@ -28,7 +32,11 @@ TABLE = tuple(
         ("EndForce", "Vector", "Force of the connector at the end on the cable, in N"),
         ("EndMoment", "Vector", "Moment of the connector at the end on the cable, in N m"),
         ("ElasticEnergy", "Float", "Energy of bending, torsion and stretch, in J"),
-        ("GravityEnergy", "Float", "Energy of the weight, measured from the start against gravity, in J"),
+        (
+            "GravityEnergy",
+            "Float",
+            "Energy of the weight, measured from the start against gravity, in J",
+        ),
         ("Mass", "Float", "Mass of the cable, in kg"),
         ("CentreOfMass", "VectorDistance", "Centre of mass, in the coordinates of the container"),
         ("ErrorEstimate", "Length", "Estimate of the largest error of position"),

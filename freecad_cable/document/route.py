@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A comparison curve without mechanics, beside the cable."""
 
+from contextlib import suppress
+
 import Part
 from FreeCAD import Placement, Vector
 
-from ..errors import CableError, DocumentError, ProblemError
+from ..errors import CableError, ProblemError
 from ..routes import METHODS, compare
 from ..shape.units import from_si, to_si, vectors_from_si
 from .child import CABLE, Child
@@ -38,7 +40,13 @@ class Route(Child):
             "Distance of the tightest place from the start, along the route",
             result=True,
         ),
-        Prop("LengthDifference", "Distance", "Result", "Length of the route less that of the cable", result=True),
+        Prop(
+            "LengthDifference",
+            "Distance",
+            "Result",
+            "Length of the route less that of the cable",
+            result=True,
+        ),
         Prop(
             "RelativeLengthDifference",
             "Float",
@@ -53,7 +61,7 @@ class Route(Child):
         obj.setEditorMode("Placement", 2)
 
     def run(self, obj):
-        cable = self.cable(obj)
+        cable = self.solved_cable(obj)
         difference = compare(self._draw(obj, cable), to_si("length", cable.SolvedLength))
         obj.LengthDifference = from_si("length", difference.absolute)
         obj.RelativeLengthDifference = difference.relative
@@ -62,15 +70,11 @@ class Route(Child):
     def clear(self, obj, sentence):
         """A route needs no mechanics, so it is drawn even if the cable has no solution."""
         super().clear(obj, sentence)
-        try:
-            self._draw(obj, obj.Cable)
-        except CableError:
-            pass  # what is wrong has been said
+        with suppress(CableError):  # what is wrong has been said
+            self._draw(obj, self.linked_cable(obj))
 
     def _draw(self, obj, cable):
         """Shape, length and bend radius; returns the route."""
-        if cable is None:
-            raise DocumentError(f"{obj.Label} has no cable.")
         try:
             route = METHODS[obj.Method](read_scene(cable))
         except ProblemError as error:

@@ -29,7 +29,11 @@ NODES = {
     "NodeQuaternion": ("quaternion", "FloatList", "orientation of the nodes, 4 each, scalar first"),
     "NodeForce": ("force", "VectorList", "internal force at the nodes [N]"),
     "NodeMoment": ("moment", "VectorList", "internal moment at the nodes [N m]"),
-    "NodeCurvature": ("curvature", "VectorList", "curvature and twist at the nodes, material frame [1/m]"),
+    "NodeCurvature": (
+        "curvature",
+        "VectorList",
+        "curvature and twist at the nodes, material frame [1/m]",
+    ),
 }
 """Property: field of the solution, type, text."""
 
@@ -38,8 +42,17 @@ TABLE = (
         Prop(name, kind, "Nodes", text[:1].upper() + text[1:], result=True, hidden=True)
         for name, (_, kind, text) in NODES.items()
     ),
-    Prop("SolvedInputs", "String", "Nodes", "Fingerprint of what was solved", result=True, hidden=True),
-    Prop("SweptInputs", "String", "Nodes", "Fingerprint of what was swept", result=True, hidden=True),
+    Prop(
+        "SolvedInputs",
+        "String",
+        "Nodes",
+        "Fingerprint of what was solved",
+        result=True,
+        hidden=True,
+    ),
+    Prop(
+        "SweptInputs", "String", "Nodes", "Fingerprint of what was swept", result=True, hidden=True
+    ),
 )
 
 
@@ -55,7 +68,11 @@ def keep(cable, solution: Solution):
     """Store the nodes."""
     for name, (field, kind, _) in NODES.items():
         array = getattr(solution, field)
-        rows = array.ravel().tolist() if kind == "FloatList" else [Vector(*row) for row in array.tolist()]
+        rows = (
+            array.ravel().tolist()
+            if kind == "FloatList"
+            else [Vector(*row) for row in array.tolist()]
+        )
         setattr(cable, name, rows)
 
 
@@ -77,5 +94,7 @@ def _text(value, decimals):
         return f"[{', '.join(_text(item, decimals) for item in value)}]"
     if isinstance(value, float):
         # Adding zero: no minus in front of it.
-        return f"{value:.{DIGITS}g}" if decimals is None else repr(round(float(value), decimals) + 0.0)
+        return (
+            f"{value:.{DIGITS}g}" if decimals is None else repr(round(float(value), decimals) + 0.0)
+        )
     return repr(value)

@@ -92,7 +92,9 @@ class Terminal(Proxy):
                 "is empty: its object was deleted or never chosen. Choose an edge, a face or an object."
             )
         if len(given) > 2:
-            raise DocumentError(f"has {len(given)} entries; it takes one, or a vertex and a local coordinate system.")
+            raise DocumentError(
+                f"has {len(given)} entries; it takes one, or a vertex and a local coordinate system."
+            )
         for pair in given:
             if based_beside(obj, pair) != pair:
                 raise DocumentError(f"leads out of its container; choose {pair[0].Label} anew.")
@@ -107,7 +109,9 @@ def _is_vertex(found):
 def marker(size):
     """A square of half-width ``size`` [mm], an arrow out of it along z, and a tick along x, as lines."""
     s = size
-    square = Part.makePolygon([Vector(x * s, y * s, 0) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1))])
+    square = Part.makePolygon(
+        [Vector(x * s, y * s, 0) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1))]
+    )
     arrow = Part.makePolygon([Vector(), Vector(0, 0, 2 * s)])
     head = Part.makePolygon([Vector(x * s / 4, 0, z * s) for x, z in ((1, 1.5), (0, 2), (-1, 1.5))])
     tick = Part.makePolygon([Vector(), Vector(s, 0, 0)])

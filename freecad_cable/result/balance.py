@@ -20,13 +20,13 @@ from ..geometry import rotation
 
 @dataclass(frozen=True)
 class Balance:
-    """Both relative to the largest moment (or to w L²/1000 or EI/L/10⁶, whichever is the
-    largest: a rod without load has none to compare with)."""
+    """Moments out of balance, as the curvature or twist that they would cause, relative to the largest in the rod
+    (or to w L²/EI/1000 or 10⁻⁶/L, whichever is the largest: a rod without load has none to compare with)."""
 
     moment: float
     """largest residual of the moment balance with the best n₀ and m₀"""
     force: float
-    """largest moment that the difference between the best n₀ and the reported one exerts on a section"""
+    """largest effect on a section of the difference between the best n₀ and the reported one"""
 
 
 def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | None:
@@ -50,19 +50,22 @@ def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | N
     hanging -= hanging[0]
     weighed = rotation.cross(hanging, weight)
     # m + lever × (n₀ − w s) + weighed = m₀, linear in n₀ and m₀.
+    # Read as the strain that it would cause, so that a direction in which the rod is stiff, where the least
+    # error of a frame is a large moment, does not drown the others.
     known = moment - rotation.cross(lever, np.outer(s - s[0], weight)) + weighed
     matrix = np.concatenate([_hat(lever), -np.tile(np.eye(3), (len(s), 1, 1))], axis=2)
+    soften = np.swapaxes(rotation.matrix(q / norm), 1, 2) / rod.stiffness[:, None]
+    matrix, known = soften @ matrix, np.einsum("kij,kj->ki", soften, known)
     unknown = np.linalg.lstsq(matrix.reshape(-1, 6), -known.ravel(), rcond=1e-12)[0]
-    residual = np.linalg.norm((matrix @ unknown) + known, axis=1)
+    residual = np.linalg.norm(matrix @ unknown + known, axis=1)
     length = arc_length[-1] - arc_length[0]
-    load = float(np.linalg.norm(weight)) * length
-    scale = max(
-        np.linalg.norm(moment, axis=1).max(),
-        load * length * 1e-3,
-        1e-6 * rod.bending_stiffness.max() / length,
+    load = float(np.linalg.norm(weight)) * length**2 / rod.bending_stiffness.max()
+    scale = max(np.linalg.norm(strain, axis=1).max(), 1e-3 * load, 1e-6 / length)
+    unbalanced = matrix[:, :, :3] @ (unknown[:3] - force[0])
+    return Balance(
+        moment=float(residual.max() / scale),
+        force=float(np.linalg.norm(unbalanced, axis=1).max() / scale),
     )
-    unbalanced = np.linalg.norm(rotation.cross(lever, unknown[:3] - force[0]), axis=1)
-    return Balance(moment=float(residual.max() / scale), force=float(unbalanced.max() / scale))
 
 
 def _hat(v):

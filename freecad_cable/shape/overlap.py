@@ -9,7 +9,7 @@ CHORDS = 4
 """Chords per span …"""
 
 MOST_CHORDS = 1200
-"""… and about this many in all, because all pairs of them are looked at."""
+"""… and at most so many in all, because all pairs of them are looked at."""
 
 LEAST_TURN = 2.5
 """[rad] A curve must turn by π to come back beside itself, and to bring an end face there a little less."""
@@ -47,9 +47,9 @@ def refuse_overlap(pieces, radius):
     # Where the two points are one there is no line between them; they meet, but for the two ends.
     ends = (i == 0) & (share_i == 0) & (j == len(chord) - 1) & (share_j == 1)
     reach[(distance < 1e-6 * radius) & ~ends] = 2
-    # The chords are off the curve by a sagitta of length × turn / 8.
-    off = np.max(length) * np.max(bend) / 8
-    depth = radius * reach * (1 - PRESSED) - 2 * off - distance
+    # The curve is off its chords by a sagitta of length × turn / 8.
+    off = length * bend / 8
+    depth = radius * reach * (1 - PRESSED) - distance - off[i] - off[j]
     k = int(np.argmax(depth))
     if depth[k] > 0:
         raise DocumentError(
@@ -67,18 +67,18 @@ def _between(samples, index, share):
 
 def _samples(pieces):
     """Points and unit tangents (m, 3) on the centreline and their parameters (m,), from end to end."""
-    spans = sum(len(piece.step) for piece in pieces)
-    share = np.arange(0, 1, 1 / max(1, min(CHORDS, MOST_CHORDS // spans)))
+    share = np.arange(CHORDS) / CHORDS
     values = [[x[..., :3].reshape(-1, 3) for x in piece.at(share)] for piece in pieces]
     point, tangent = (np.concatenate(x) for x in zip(*values, strict=True))
-    places = [
-        (piece.parameter[:-1, None] + share * piece.step[:, None]).ravel() for piece in pieces
-    ]
+    place = np.concatenate(
+        [(piece.parameter[:-1, None] + share * piece.step[:, None]).ravel() for piece in pieces]
+    )
+    some = slice(None, None, -(-len(place) // MOST_CHORDS))
     last = pieces[-1]
-    point = np.concatenate([point, last.value[-1:, :3]])
-    tangent = np.concatenate([tangent, last.first[-1:, :3]])
+    point = np.concatenate([point[some], last.value[-1:, :3]])
+    tangent = np.concatenate([tangent[some], last.first[-1:, :3]])
     tangent = tangent / np.linalg.norm(tangent, axis=1, keepdims=True)
-    return point, tangent, np.concatenate([*places, last.parameter[-1:]])
+    return point, tangent, np.concatenate([place[some], last.parameter[-1:]])
 
 
 def _closest(p, u, q, v):

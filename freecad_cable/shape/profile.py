@@ -145,8 +145,6 @@ def _pieces(edge) -> list[Part.BSplineCurve]:
         # Of an arc, Curve.toBSpline is an approximation and Curve.toNurbs another arc.
         exact = edge.toNurbs().Edges[0]
         piece = exact.Curve
-        if piece.isPeriodic():
-            piece.setNotPeriodic()
         piece.segment(*exact.ParameterRange)
     if edge.Orientation == "Reversed":
         piece.reverse()

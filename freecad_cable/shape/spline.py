@@ -50,6 +50,20 @@ class Quintic:
             halve = np.unique(span[off])
             keep = np.union1d(keep, (keep[halve] + keep[halve + 1]) // 2)
 
+    def cut(self, ratio) -> "list[Quintic]":
+        """The function in as few pieces as are each at most ``ratio`` times as long as their shortest span."""
+        ends, shortest = [0], np.inf
+        for k, step in enumerate(self.step):
+            shortest = min(shortest, step)
+            if self.parameter[k + 1] - self.parameter[ends[-1]] > ratio * shortest:
+                ends.append(k)
+                shortest = step
+        ends.append(len(self.step))
+        return [
+            Quintic(*(x[a : b + 1] for x in vars(self).values()))
+            for a, b in zip(ends[:-1], ends[1:], strict=True)
+        ]
+
     def bezier(self):
         """(n-1, 6, d) Bézier points of the spans."""
         h = self.step[:, None]

@@ -26,7 +26,9 @@ MOST_PARTS = 100
 
 
 def correction(shape, values, structure) -> np.ndarray:
-    """Corrections (n+1, 12) of the nodes without units: position, turn (world), force, moment."""
+    """Corrections (n+1, 12) of the nodes without units: position, turn (world), force, moment.
+
+    Infinite where the rod cannot be integrated at all: such nodes are no rod."""
     compliance = np.zeros(6)
     kept = list(structure.strains)
     compliance[kept] = 1 / values["stiffness"][kept]
@@ -34,7 +36,10 @@ def correction(shape, values, structure) -> np.ndarray:
     arc_length, given = _resolving(shape, compliance)
     shape = shape.on(arc_length)
     state = np.hstack([shape.position, shape.quaternion, shape.force, shape.moment])
-    reached = law.integrate(state[:-1], shape.steps)
+    with np.errstate(all="ignore"):
+        reached = law.integrate(state[:-1], shape.steps)
+    if not np.isfinite(reached).all():
+        return np.full((len(given), 12), np.inf)
     turn = rotation.logarithm(
         rotation.multiply(state[1:, 3:7], rotation.conjugate(reached[:, 3:7]))
     )

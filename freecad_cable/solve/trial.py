@@ -18,6 +18,10 @@ from ..transcription.structure import Structure
 from . import backend, stability, strong_form
 
 
+LIMP = 1e-2
+"""GJ/EI below which fatrop was seen to correct its matrix without end; ipopt gives up in time."""
+
+
 class TimeUpError(Exception):
     """The time limit of a solve has passed; internal to this room."""
 
@@ -89,6 +93,9 @@ class Problem:
     def solvers(self) -> list[str]:
         wanted = self.scene.options.solver
         names = ["fatrop", "ipopt"] if wanted == "auto" else [wanted]
+        rod = self.scene.rod
+        if wanted == "auto" and rod.torsional_stiffness < LIMP * rod.bending_stiffness.min():
+            names = ["ipopt"]
         present = [name for name in names if backend.available(name)]
         if not present:
             raise SolverMissingError(

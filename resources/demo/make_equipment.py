@@ -14,13 +14,15 @@ from functools import cache
 import FreeCAD
 from FreeCAD import Placement, Rotation, Vector
 
-# Without curves in the parameters of the faces the file is half as large; Part reads this when it is loaded.
-FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Part/General").SetInt(
-    "WriteSurfaceCurveMode", 0
-)
+# Without curves in the parameters of the faces the file is half as large; Part asks when it is loaded.
+SETTINGS = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Part/General")
+BEFORE = SETTINGS.GetInt("WriteSurfaceCurveMode", 1)
+SETTINGS.SetInt("WriteSurfaceCurveMode", 0)
 
 import Import  # noqa: E402
 import Part  # noqa: E402
+
+SETTINGS.SetInt("WriteSurfaceCurveMode", BEFORE)
 
 from freecad_cable.demo.harness import CONNECTORS  # noqa: E402
 

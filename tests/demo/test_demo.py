@@ -5,7 +5,9 @@ import contextlib
 import csv
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 import FreeCAD
 import numpy as np
@@ -143,6 +145,18 @@ class DemoTest(unittest.TestCase):
                         "solve time [s]": cable.SolveTime,
                     }.items():
                         self.assertAlmostEqual(float(got[column]), value, 9, column)
+
+    def test_documents_open_with_everything_to_see(self):
+        for name in CONTENTS:
+            with self.subTest(name), opened(name) as (document, pairs):
+                with zipfile.ZipFile(folder / f"{name}.FCStd") as file:
+                    views = ElementTree.fromstring(file.read("GuiDocument.xml")).find(
+                        "ViewProviderData"
+                    )
+                self.assertEqual(int(views.get("Count")), len(views))
+                seen = {view.get("name") for view in views}
+                solids = {obj.Name for obj in document.Objects if obj.TypeId == "Part::Feature"}
+                self.assertLessEqual(solids | {obj.Name for pair in pairs for obj in pair}, seen)
 
     def test_table_1_is_the_problem_of_the_paper(self):
         """The same answer as from a scene written by hand in SI units."""

@@ -41,8 +41,13 @@ def observe(path):
     document = FreeCAD.openDocument(path)
     cable, route = document.Cable, document.Route
     observed = {"opened": seen(cable), "modules": sorted(m for m in sys.modules if "casadi" in m)}
-    observed["type"] = {name: getattr(document.CableType, name).UserString for name in ("MassPerLength", "BendingStiffness")}
-    document.recompute(None, True)
+    observed["type"] = {
+        name: getattr(document.CableType, name).UserString
+        for name in ("MassPerLength", "BendingStiffness")
+    }
+    for obj in document.Objects:
+        obj.touch()
+    document.recompute()
     observed["recomputed"] = seen(cable)
     cable.Length = "310 mm"
     document.recompute()

@@ -39,7 +39,9 @@ class AnswerTest(DocumentTest):
         self.assertAlmostEqual(cable.SmallestBendRadius.Value / 50.743386, 1, delta=10 * TOLERANCE)
         self.assertAlmostEqual(cable.SmallestBendRadiusAt.Value, 730, delta=1)
         self.assertNear(cable.EndForce, (-0.0497237, 0.0423163, 0.1865051), 10 * TOLERANCE * 0.2)
-        self.assertNear(cable.EndMoment, (0.00474592, 0.02322586, 0.00016357), 10 * TOLERANCE * 0.024)
+        self.assertNear(
+            cable.EndMoment, (0.00474592, 0.02322586, 0.00016357), 10 * TOLERANCE * 0.024
+        )
         weight = 0.4379383301 * 0.73
         self.assertNear(cable.StartForce + cable.EndForce, (0, 0, weight), 1e-6 * weight)
         self.assertLess(cable.ErrorEstimate.Value, 730 * TOLERANCE)
@@ -116,7 +118,9 @@ class EditTest(DocumentTest):
         self.compute()
         self.assertEqual(self.answer(), before, name)
         # Back, by way of another start of the solver.
-        self.assertAlmostEqual(self.cable.SmallestBendRadius.Value / radius, 1, delta=10 * TOLERANCE)
+        self.assertAlmostEqual(
+            self.cable.SmallestBendRadius.Value / radius, 1, delta=10 * TOLERANCE
+        )
         self.assertAlmostEqual(self.cable.Shape.Volume / volume, 1, delta=1e-5)
         return edited / radius
 
@@ -198,7 +202,9 @@ class EditTest(DocumentTest):
 
     def test_a_profile_is_swept_with_the_frame(self):
         sketch = self.doc.addObject("Part::Feature", "Sketch")
-        sketch.Shape = Part.makePolygon([Vector(x, y, 0) for x, y in ((-4, -1), (4, -1), (4, 1), (-4, 1), (-4, -1))])
+        sketch.Shape = Part.makePolygon(
+            [Vector(x, y, 0) for x, y in ((-4, -1), (4, -1), (4, 1), (-4, 1), (-4, -1))]
+        )
         nodes = self.cable.NodePosition
         self.cable.Profile = sketch
         self.compute()

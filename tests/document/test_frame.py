@@ -32,16 +32,20 @@ class FrameTest(DocumentTest):
     def circle(self, obj, centre, radius):
         return self.element(
             obj,
-            lambda part: isinstance(getattr(part, "Curve", None), Part.Circle)
-            and part.Curve.Center.distanceToPoint(Vector(*centre)) < 1e-9
-            and abs(part.Curve.Radius - radius) < 1e-9,
+            lambda part: (
+                isinstance(getattr(part, "Curve", None), Part.Circle)
+                and part.Curve.Center.distanceToPoint(Vector(*centre)) < 1e-9
+                and abs(part.Curve.Radius - radius) < 1e-9
+            ),
         )
 
     def cylinder(self, obj, radius):
         return self.element(
             obj,
-            lambda part: isinstance(getattr(part, "Surface", None), Part.Cylinder)
-            and abs(part.Surface.Radius - radius) < 1e-9,
+            lambda part: (
+                isinstance(getattr(part, "Surface", None), Part.Cylinder)
+                and abs(part.Surface.Radius - radius) < 1e-9
+            ),
         )
 
     def frame(self, obj, name, **options):
@@ -69,12 +73,24 @@ class FrameTest(DocumentTest):
     def test_off_the_plate_at_the_foot_of_a_pin(self):
         part = Part.makeBox(40, 40, 5).fuse(Part.makeCylinder(3, 20, Vector(10, 10, 0)))
         part = self.solid(part.removeSplitter())
-        self.assertLeaves(self.frame(part, self.circle(part, (10, 10, 5), 3)), (10, 10, 5), (0, 0, 1))
+        self.assertLeaves(
+            self.frame(part, self.circle(part, (10, 10, 5), 3)), (10, 10, 5), (0, 0, 1)
+        )
+
+    def test_out_of_a_blind_hole(self):
+        block = Part.makeBox(40, 40, 40).cut(Part.makeCylinder(3, 30, Vector(10, 10, 10)))
+        block = self.solid(block)
+        floor = self.circle(block, (10, 10, 10), 3)
+        self.assertLeaves(self.frame(block, floor), (10, 10, 10), (0, 0, 1))
 
     def test_away_from_the_part_where_no_flat_face_meets_the_circle(self):
-        part = Part.makeCylinder(3, 10).fuse(Part.makeCone(3, 1, 5, Vector(0, 0, 10)))
-        part = self.solid(part.removeSplitter())
-        self.assertLeaves(self.frame(part, self.circle(part, (0, 0, 10), 3)), (0, 0, 10), (0, 0, 1))
+        for z, way, cone in (
+            (10, 1, Part.makeCone(3, 1, 5, Vector(0, 0, 10))),
+            (0, -1, Part.makeCone(1, 3, 5, Vector(0, 0, -5))),
+        ):
+            part = self.solid(Part.makeCylinder(3, 10).fuse(cone).removeSplitter())
+            edge = self.circle(part, (0, 0, z), 3)
+            self.assertLeaves(self.frame(part, edge), (0, 0, z), (0, 0, way))
 
     def test_a_circle_without_a_solid_leaves_along_its_axis(self):
         circle = self.solid(Part.makeCircle(3, Vector(1, 2, 3), Vector(0, -1, 0)))
@@ -90,7 +106,9 @@ class FrameTest(DocumentTest):
             self.assertLeaves(self.frame(box, name), base, direction)
 
     def test_out_of_the_far_end_of_a_cylindrical_face(self):
-        part = self.solid(Part.makeBox(20, 20, 20).fuse(Part.makeCylinder(3, 30, Vector(10, 10, 10))))
+        part = self.solid(
+            Part.makeBox(20, 20, 20).fuse(Part.makeCylinder(3, 30, Vector(10, 10, 10)))
+        )
         face = self.cylinder(part, 3)
         self.assertLeaves(self.frame(part, face), (10, 10, 40), (0, 0, 1))
         self.assertLeaves(self.frame(part, face, reverse=True), (10, 10, 20), (0, 0, -1))
@@ -99,7 +117,11 @@ class FrameTest(DocumentTest):
         pin = self.solid(Part.makeCylinder(3, 10))
         frame = self.frame(pin, self.circle(pin, (0, 0, 10), 3), reverse=True)
         self.assertLeaves(frame, (0, 0, 10), (0, 0, -1))
-        self.assertLeaves(self.frame(self.solid(Part.makeBox(10, 20, 30)), "Face6", reverse=True), (5, 10, 30), (0, 0, -1))
+        self.assertLeaves(
+            self.frame(self.solid(Part.makeBox(10, 20, 30)), "Face6", reverse=True),
+            (5, 10, 30),
+            (0, 0, -1),
+        )
         pin.Placement = MOVE
         turned = MOVE * Placement(Vector(), Rotation(Vector(1, 0, 0), 180))
         self.assertMoved(self.frame(pin, "", reverse=True), turned)
@@ -117,7 +139,11 @@ class FrameTest(DocumentTest):
         self.assertLeaves(frame, corner, (1, 0, 0))
 
     def test_the_frame_moves_with_the_part_as_a_rigid_body(self):
-        part = Part.makeBox(40, 40, 5).fuse(Part.makeCylinder(3, 20, Vector(10, 10, 0))).removeSplitter()
+        part = (
+            Part.makeBox(40, 40, 5)
+            .fuse(Part.makeCylinder(3, 20, Vector(10, 10, 0)))
+            .removeSplitter()
+        )
         part = self.solid(part)
         names = [self.circle(part, (10, 10, 20), 3), self.cylinder(part, 3), "Face1", "Vertex1", ""]
         before = {name: self.frame(part, name) for name in names}

@@ -41,13 +41,21 @@ class ReferenceTest(DocumentTest):
         return obj
 
     def test_at_the_top_every_form_leads_from_the_top(self):
-        for given in ((self.box, "Face6"), (self.unit, "Box.Face6"), (self.assembly, "Unit.Box.Face6")):
+        for given in (
+            (self.box, "Face6"),
+            (self.unit, "Box.Face6"),
+            (self.assembly, "Unit.Box.Face6"),
+        ):
             found = based_beside(self.referrer(), given)
             self.assertEqual(found, (self.assembly, "Unit.Box.Face6"))
             self.assertNear(find(found).element.CenterOfMass, (105, 15, 11))
 
     def test_inside_the_assembly_every_form_leads_from_the_sibling(self):
-        for given in ((self.box, "Face6"), (self.unit, "Box.Face6"), (self.assembly, "Unit.Box.Face6")):
+        for given in (
+            (self.box, "Face6"),
+            (self.unit, "Box.Face6"),
+            (self.assembly, "Unit.Box.Face6"),
+        ):
             found = based_beside(self.referrer(self.assembly), given)
             self.assertEqual(found, (self.unit, "Box.Face6"))
             self.assertNear(find(found).element.CenterOfMass, (5, 15, 11))
@@ -67,13 +75,22 @@ class ReferenceTest(DocumentTest):
             self.assertNear(find(inside).element.CenterOfMass, (5, 5, 1011))
 
     def test_a_plain_group_is_passed_over(self):
-        for given in ((self.post, "Edge1"), (self.group, "Post.Edge1"), (self.assembly, "Group.Post.Edge1")):
+        for given in (
+            (self.post, "Edge1"),
+            (self.group, "Post.Edge1"),
+            (self.assembly, "Group.Post.Edge1"),
+        ):
             self.assertEqual(based_beside(self.referrer(), given), (self.assembly, "Post.Edge1"))
             for beside in (self.assembly, self.group):
                 self.assertEqual(based_beside(self.referrer(beside), given), (self.post, "Edge1"))
 
     def test_a_whole_object(self):
-        for given in ((self.box, ""), (self.unit, "Box"), (self.unit, "Box."), (self.assembly, "Unit.Box")):
+        for given in (
+            (self.box, ""),
+            (self.unit, "Box"),
+            (self.unit, "Box."),
+            (self.assembly, "Unit.Box"),
+        ):
             found = based_beside(self.referrer(), given)
             self.assertEqual(found, (self.assembly, "Unit.Box."))
             self.assertIsNone(find(found).element)

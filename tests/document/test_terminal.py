@@ -157,7 +157,9 @@ class BrokenReferenceTest(PinTest):
         self.assertNoMark(terminal, f"{TOP} of Ball is missing")
 
     def test_an_edge_without_a_direction_of_its_own(self):
-        self.assertNoMark(make.terminal(self.doc, (self.part, SIDE)), f"{SIDE} of Pin gives no direction")
+        self.assertNoMark(
+            make.terminal(self.doc, (self.part, SIDE)), f"{SIDE} of Pin gives no direction"
+        )
 
     def test_three_entries(self):
         terminal = make.terminal(self.doc, [(self.part, "Vertex1"), self.part, (self.part, TOP)])
@@ -204,7 +206,9 @@ class MoveTest(DocumentTest):
     def check_every_move(self, terminal, containers, purge):
         """Move one after the other, with the touch taken back as an assembly solver does if ``purge``."""
         for i, moved in enumerate((self.part, *containers)):
-            moved.Placement = Placement(Vector(7 + i, 11, 13), Rotation(Vector(3, i, 1), 25)) * moved.Placement
+            moved.Placement = (
+                Placement(Vector(7 + i, 11, 13), Rotation(Vector(3, i, 1), 25)) * moved.Placement
+            )
             if purge:
                 for obj in self.doc.Objects:
                     if obj not in (terminal,):

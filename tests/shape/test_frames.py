@@ -22,7 +22,7 @@ class TestFrames(unittest.TestCase):
         for k in range(3):
             value, first, second = (x[1:-1] for x in run.axis(k))
             at = slice(8, -8, 8)
-            np.testing.assert_allclose(value, axes[at, :, k], atol=1e-14)
+            np.testing.assert_allclose(value, axes[at, :, k], atol=1e-9)
             # Central differences over h ≈ 1.8 mm of a frame that turns by up to 0.012/mm: h² 0.012³/6 …
             difference = (axes[9:-7:8, :, k] - axes[7:-9:8, :, k]) / (2 * h)
             np.testing.assert_allclose(first, difference, atol=1e-6)
@@ -35,10 +35,10 @@ class TestFrames(unittest.TestCase):
         for elongation in (1.0, 1.05):
             stretched = changed(nodes, position=nodes.position * elongation)
             (run,) = frames(stretched)
-            # The rule is off by θ⁴/720 a piece that turns by θ, here at most 0.07 rad.
-            np.testing.assert_allclose(
-                run.parameter, nodes.arc_length * 1e3 * elongation, rtol=0.07**4 / 720
-            )
+            # Pieces turn by θ < 0.07 rad: the rule is off by θ⁶/100800, and by θ h² δ/120 from the error
+            # δ = h² κ'''/6 of κ', with h = 7.3 mm and κ''' = 6 (2π/0.73)³: both are below 10⁻⁸.
+            length = nodes.arc_length * 1e3 * elongation
+            np.testing.assert_allclose(run.parameter, length, rtol=1e-8)
             _, bend, _ = run.axis(2)
             curvature = np.linalg.norm(nodes.curvature[:, :2], axis=1) / 1e3
             np.testing.assert_allclose(
@@ -53,7 +53,8 @@ class TestFrames(unittest.TestCase):
         np.testing.assert_allclose(untwisted.tangent, run.tangent, atol=1e-14)
         identity = np.einsum("nji,njk->nik", untwisted.axes, untwisted.axes)
         np.testing.assert_allclose(identity, np.broadcast_to(np.eye(3), identity.shape), atol=1e-13)
-        # Twist of a small turn between two frames: what is left is of fifth order in 0.05 rad.
+        # Between two nodes the least turn differs from transport along the cable by the area between the
+        # tangents on the sphere, about κ² ρ h³/12 with κ = 7/m, ρ = 10/m, h = 3.65 mm; 200 times.
         turn = np.einsum("nji,njk->nik", untwisted.axes[:-1], untwisted.axes[1:])
         swing = np.arctan2(turn[:, 1, 0] - turn[:, 0, 1], turn[:, 0, 0] + turn[:, 1, 1])
         self.assertLess(np.abs(np.sum(swing)), 1e-3)
@@ -83,11 +84,16 @@ class TestFrames(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(len(frames(nodes)), 1)
 
+    def test_a_boundary_layer_is_no_jump(self):
+        # Clamped and taut: curvature falls to a half from node to node, and by 0.15 rad at the first.
+        layer = (0.4, lambda s: np.array([0.0, 40 * 2 ** (-s / 0.01), 0.0]))
+        self.assertEqual(len(frames(rod([layer], 40))), 1)
+
     def test_nodes_that_coincide_count_once(self):
         nodes = sag()
         twice = np.sort(np.concatenate([np.arange(51), [0, 7, 7, 30, 50]]))
         crowded = Nodes(*(x[twice] for x in vars(nodes).values()))
-        crowded.arc_length[8] += 1e-12
+        crowded.arc_length[10] += 1e-12
         (run,) = frames(crowded)
         (plain,) = frames(nodes)
         self.assertEqual(len(run.parameter), 51)
@@ -115,9 +121,13 @@ class TestWrongNodes(unittest.TestCase):
         self.refused("no solved shape", arc_length=None)
         self.refused("1 node.*at least 2", arc_length=np.zeros(1))
         self.refused("positions.*shape .50, 3.*must be .51, 3", position=nodes.position[1:])
-        self.refused("quaternions of node 4 are not finite", **self.spoiled("quaternion", 4, np.nan))
+        self.refused(
+            "quaternions of node 4 are not finite", **self.spoiled("quaternion", 4, np.nan)
+        )
         self.refused("curvatures of node 9", **self.spoiled("curvature", (9, 1), np.inf))
-        self.refused("quaternion of node 3 has the length 2", **self.spoiled("quaternion", 3, [2, 0, 0, 0]))
+        self.refused(
+            "quaternion of node 3 has the length 2", **self.spoiled("quaternion", 3, [2, 0, 0, 0])
+        )
         self.refused("arc length of node 6 is less", **self.spoiled("arc_length", 6, 0.0))
         self.refused("0 mm long", arc_length=np.zeros(51))
         self.refused("do not belong together", **self.spoiled("position", 20, nodes.position[19]))

@@ -74,13 +74,28 @@ class TestQuintic(unittest.TestCase):
         smooth = curve([left, bent], continuity=1)
         self.assertEqual(smooth.Continuity, "C1")
         for u, quintic, k, share in ((0.7, left, 1, 0.4), (1.2, bent, 0, 0.4)):
-            np.testing.assert_allclose(
-                smooth.value(u), quintic.at([share])[0][k, 0], atol=1e-13
-            )
+            np.testing.assert_allclose(smooth.value(u), quintic.at([share])[0][k, 0], atol=1e-13)
         turned = Quintic(right.parameter, right.value, -right.first, right.second)
         sharp = curve([left, turned], continuity=0)
         self.assertEqual(sharp.Continuity, "C0")
         np.testing.assert_allclose(sharp.value(1.2), turned.at([0.4])[0][0, 0], atol=1e-13)
+
+    def test_cut_into_pieces_that_are_not_much_longer_than_their_shortest_span(self):
+        for steps, lengths in (
+            ([1, 1, 1, 1, 1], [5]),
+            ([10, 1, 1, 10, 10, 10], [10, 2, 30]),
+            ([40], [40]),
+            ([1, 4, 1, 5], [6, 5]),
+        ):
+            parameter = np.cumsum([0.0, *steps])
+            quintic = sampled(POLYNOMIALS, parameter)
+            pieces = quintic.cut(6)
+            self.assertEqual(
+                [piece.parameter[-1] - piece.parameter[0] for piece in pieces], lengths
+            )
+            np.testing.assert_array_equal(
+                np.concatenate([piece.value[:-1] for piece in pieces]), quintic.value[:-1]
+            )
 
 
 def unit(vector):

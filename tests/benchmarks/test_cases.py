@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every case of the benchmarks is solved, and one that is not becomes a row."""
+
+import signal
+import time
+from dataclasses import replace
+
+import pytest
+
+from benchmarks import measure
+from benchmarks.cases import CASES, Case, extreme_grid, tilted
+from benchmarks.guarded import Guarded
+from freecad_cable.options import SolveOptions
+
+ROUGH = SolveOptions(tolerance=1e-3)
+
+
+@pytest.fixture(autouse=True)
+def once(monkeypatch):
+    """A test asks whether it works, not how fast it is."""
+    monkeypatch.setattr(measure, "REPEATS", 1)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_a_case_is_solved(case):
+    row = measure.work(case, ROUGH, measure.Exact())
+    assert (row.status, row.message) == ("CONVERGED", "The cable is in equilibrium.")
+    assert 0 < row.error <= ROUGH.tolerance
+    assert row.cold > 0 and row.warm > 0
+
+
+def test_what_is_read_between_exact_nodes_is_exact():
+    """Against the exact solver at the solution's own nodes, within the uncertainty stated."""
+    case = CASES[0]
+    exact = measure.Exact()
+    measure.work(case, ROUGH, exact)
+    scene = case.solved_with(SolveOptions(tolerance=1e-5))
+    solution = measure.find_equilibrium(scene)
+    apart = exact.near(case.name, solution)[1].distance(solution)
+    state = measure.equilibrium(scene, solution).at(solution.arc_length)
+    own = measure.np.linalg.norm(solution.position - state.position, axis=1).max()
+    assert apart == pytest.approx(own, abs=exact.uncertainty * scene.rod.length)
+
+
+def test_a_cable_without_slack_is_a_row():
+    row = measure.work(Case("straight", "no slack", tilted(1.0, 0.0)), ROUGH, measure.Exact())
+    assert row.status == "INFEASIBLE"
+    assert "no slack" in row.message
+    assert row.first > 0 and row.cold is None and row.error is None
+
+
+def test_a_solve_out_of_time_is_a_row():
+    options = replace(ROUGH, time_limit=1e-6)
+    assert measure.work(CASES[0], options, measure.Exact()).status == "TIME_LIMIT"
+    weight, ratio, scene = next(extreme_grid())
+    limited = replace(scene, options=options)
+    assert measure.cell(weight, ratio, limited).status == "TIME_LIMIT"
+
+
+def test_an_exception_is_a_row(monkeypatch):
+    def broken(scene, start=None):
+        raise ArithmeticError("on purpose")
+
+    monkeypatch.setattr(measure, "find_equilibrium", broken)
+    row = measure.work(CASES[0], ROUGH, measure.Exact())
+    assert (row.status, row.message) == ("ArithmeticError", "on purpose")
+    weight, ratio, scene = next(extreme_grid())
+    assert measure.cell(weight, ratio, scene, broken).status == "ArithmeticError"
+
+
+@pytest.mark.parametrize(
+    ("in_its_place", "argument", "status"),
+    [
+        (time.sleep, 60, "TimeoutError"),
+        (signal.raise_signal, signal.SIGTERM, "ChildProcessError"),
+        (abs, "x", "TypeError"),
+    ],
+)
+def test_a_guarded_solve_that_hangs_crashes_or_raises_is_a_row(in_its_place, argument, status):
+    """Functions of one argument for which 0 is harmless stand in place of a solver."""
+    weight, ratio, _ = next(extreme_grid())
+    with Guarded(in_its_place, patience=1, rehearsal=(0,)) as solve:
+        assert measure.cell(weight, ratio, argument, solve).status == status
+
+
+def test_a_guarded_call_returns_what_the_function_does():
+    with Guarded(abs, patience=30, rehearsal=(0,)) as size:
+        assert [size(-2), size(3)] == [2, 3]
