@@ -135,9 +135,7 @@ def _near(solution, scene) -> bool:
     frames = rotation.matrix(solution.quaternion)
     moment = np.einsum("kij,ki->kj", frames, solution.moment)
     ours = scene.rod.stiffness * (solution.curvature - scene.rod.natural_curvature)
-    if np.abs(moment - ours).max() > 0.5 * np.abs(ours).max():
-        return False
-    return True
+    return bool(np.abs(moment - ours).max() <= 0.5 * np.abs(ours).max())
 
 
 def _solution(problem, trial, model: Model) -> Solution:

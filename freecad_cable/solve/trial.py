@@ -17,7 +17,6 @@ from ..transcription.shape import Shape
 from ..transcription.structure import Structure
 from . import backend, stability, strong_form
 
-
 LIMP = 1e-2
 """GJ/EI below which fatrop was seen to correct its matrix without end; ipopt gives up in time."""
 
