@@ -147,7 +147,7 @@ def grid(rows: list[Cell]):
         if row.status != "CONVERGED":
             colour = FAILED if failed else INFEASIBLE
         axes.add_patch(plt.Rectangle((x, y), 1, 1, facecolor=colour, edgecolor="white", lw=2))
-        detail = _name(row) if row.status != "CONVERGED" else f"{row.elements} elements"
+        detail = outcome(row) if row.status != "CONVERGED" else f"{row.elements} elements"
         ink = "white" if failed else "0.1"
         axes.text(x + 0.5, y + 0.6, f"{row.seconds:.2g} s", ha="center", color=ink, fontsize=10)
         axes.text(x + 0.5, y + 0.25, detail, ha="center", color=ink, fontsize=7)
@@ -176,8 +176,10 @@ def grid(rows: list[Cell]):
     _save(figure, "grid.png")
 
 
-def _name(row):
-    """An outcome in words; an exception by its name."""
+def outcome(row) -> str:
+    """How a row ended in words; an exception by its name."""
+    if row.status == "TimeoutError":
+        return "did not return"
     return row.status.replace("_", " ").lower() if row.status.isupper() else row.status
 
 

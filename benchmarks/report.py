@@ -105,7 +105,7 @@ def _times(rows):
                 _dash(row.warm_iterations),
                 _dash(row.elements),
                 *(_dash(value, ".1e") for value in (row.error, row.estimate, row.energy_error)),
-                row.status.lower(),
+                plot.outcome(row),
             )
             for row in chosen
         ],
@@ -167,7 +167,7 @@ def _honesty(rows):
         yield _table(
             heads,
             [
-                (r.case, r.scheme, r.solver, f"{r.tolerance:.0e}", r.status.lower())
+                (r.case, r.scheme, r.solver, f"{r.tolerance:.0e}", plot.outcome(r))
                 + (_dash(r.elements), _dash(r.error, ".1e"), r.message)
                 for r in failed
             ],
@@ -213,7 +213,7 @@ def _grid(rows):
         yield _table(
             ("w L³/EI", "length / chord", "status", "seconds", "message"),
             [
-                (f"{r.weight_ratio:g}", f"{r.length_ratio:g}", r.status.lower())
+                (f"{r.weight_ratio:g}", f"{r.length_ratio:g}", plot.outcome(r))
                 + (f"{r.seconds:.1f}", r.message)
                 for r in failed
             ],
@@ -221,9 +221,8 @@ def _grid(rows):
 
 
 def _ends(rows):
-    counts = Counter(row.status for row in rows).most_common()
-    counted = ", ".join(f"{count} {name.replace('_', ' ').lower()}" for name, count in counts)
-    return counted
+    counts = Counter(plot.outcome(row) for row in rows).most_common()
+    return ", ".join(f"{count} {name}" for name, count in counts)
 
 
 def _dash(value, form=""):

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from benchmarks import machine, plot, report, stored
 from benchmarks.cases import CASES, TABLE_1, extreme_grid
 from benchmarks.guarded import Guarded
-from benchmarks.measure import Exact, cell, mesh, race, work
+from benchmarks.measure import Exact, cell, mesh, race, works
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.options import SolveOptions
 
@@ -45,12 +45,14 @@ def main():
     say("fatrop against ipopt")
     races = [race(TABLE_1, scheme, RACE_ELEMENTS, RACE_ROUNDS) for scheme in SCHEMES]
     stored.write(sum(races, []))
+    wanted = [
+        SolveOptions(tolerance=tolerance, scheme=scheme, solver=solver)
+        for tolerance, scheme, solver in product(TOLERANCES, SCHEMES, SOLVERS)
+    ]
     rows = []
     for case in CASES:
         say(case.name)
-        for tolerance, scheme, solver in product(TOLERANCES, SCHEMES, SOLVERS):
-            options = SolveOptions(tolerance=tolerance, scheme=scheme, solver=solver)
-            rows.append(work(case, options, exact))
+        rows += works(case, wanted, exact)
     stored.write(rows)
     say("extreme grid")
     limited = SolveOptions(time_limit=TIME_LIMIT)

@@ -13,9 +13,18 @@ PLACEMENTS = ("Placement", "LinkPlacement")
 class Observer:
     """Hears every change in every document, so it looks at the name of the property first."""
 
+    def __init__(self):
+        self._before = None
+
+    def slotBeforeChangeObject(self, obj, name):
+        if name in PLACEMENTS:
+            self._before = obj, getattr(obj, name)
+
     def slotChangedObject(self, obj, name):
         if name in PLACEMENTS:
-            _touch_dependents(obj)
+            # A solver sets what is there already, too.
+            if self._before != (obj, getattr(obj, name)):
+                _touch_dependents(obj)
         elif name == "Group":
             _rebase_references(obj.Document)
 
@@ -38,17 +47,23 @@ def _reading(document):
 
 
 def _touch_dependents(obj):
-    if _reading(obj.Document) or obj.Document.Recomputing:
+    document = obj.Document
+    if _reading(document) or (document.Recomputing and _follows(obj)):
         return
     for dependent in (obj, *obj.InListRecursive):
-        if getattr(getattr(dependent, "Proxy", None), "follows_placements", False):
+        if _follows(dependent):
             dependent.touch()
+
+
+def _follows(obj):
+    """Whether it is one of ours; in a recompute it places itself."""
+    return getattr(getattr(obj, "Proxy", None), "follows_placements", False)
 
 
 def _rebase_references(document):
     if _reading(document) or document.Transacting:
         return
-    for obj in document.Objects:
+    for obj in document.findObjects("Part::FeaturePython"):
         rebase = getattr(getattr(obj, "Proxy", None), "rebase_reference", None)
         if rebase:
             rebase(obj)

@@ -25,7 +25,10 @@ class SecondVariation:
     then all elastic energies are alike, and one stiff in stretch or twist does not hide another that buckles."""
 
     def __init__(self, nlp: Nlp, x, parameters, multipliers):
-        hessian, jacobian = nlp.second_variation(x, parameters, 1.0, multipliers)
+        values = nlp.second_variation(x, parameters, 1.0, multipliers)
+        hessian, jacobian = (
+            (*place, value.full().ravel()) for place, value in zip(nlp.places, values, strict=True)
+        )
         self.nlp = nlp
         self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
         softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])
@@ -36,20 +39,18 @@ class SecondVariation:
         self.columns = np.concatenate([[0], np.cumsum(self.nx + self.nu)])
         self.gaps = np.append(self.nx[1:], 0)
         rows = np.concatenate([[0], np.cumsum(self.gaps + ng)])
-        self.rows = self._blocks(jacobian.sparse().tocoo(), rows, (self.gaps + ng).max())
-        self.curvature = self._blocks(
-            hessian.sparse().tocoo(), self.columns, (self.nx + self.nu).max()
-        )
+        self.rows = self._blocks(*jacobian, rows, (self.gaps + ng).max())
+        self.curvature = self._blocks(*hessian, self.columns, (self.nx + self.nu).max())
         self.sides = ng
 
-    def _blocks(self, matrix, starts, height):
+    def _blocks(self, row, col, values, starts, height):
         """(stages, height, width): each stage's rows over its own variables and the next stage's state."""
         blocks = np.zeros((len(self.nx), height, 2 * self.nx.max() + self.nu.max()))
-        stage = np.searchsorted(starts, matrix.row, "right") - 1
-        values = matrix.data * self.scale[matrix.col]
+        stage = np.searchsorted(starts, row, "right") - 1
+        values = values * self.scale[col]
         if starts is self.columns:
-            values = values * self.scale[matrix.row]
-        blocks[stage, matrix.row - starts[stage], matrix.col - self.columns[stage]] = values
+            values = values * self.scale[row]
+        blocks[stage, row - starts[stage], col - self.columns[stage]] = values
         return blocks
 
     def proven(self) -> bool:

@@ -71,9 +71,17 @@ class Nlp:
 
     @cached_property
     def second_variation(self):
-        """(x, p, λ_f, λ) → (Hessian of the Lagrangian λ_f f + λ·g, Jacobian of the rows)."""
+        """(x, p, λ_f, λ) → nonzeros of the Hessian of λ_f f + λ·g, and of the Jacobian of the rows."""
         inputs = [self.x, self.p, *self.multipliers]
-        return ca.Function("second_variation", inputs, [self.hessian, self.jacobian])
+        return ca.Function("second_variation", inputs, [self.hessian.nz[:], self.jacobian.nz[:]])
+
+    @cached_property
+    def places(self):
+        """(rows, columns) of the nonzeros of Hessian and Jacobian."""
+        return tuple(
+            tuple(np.array(index) for index in part.sparsity().get_triplet())
+            for part in (self.hessian, self.jacobian)
+        )
 
     def split(self, x):
         """Decision vector → states [(nx,)] and controls [(nu,)], lists over stages."""

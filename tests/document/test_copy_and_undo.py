@@ -3,6 +3,7 @@
 
 from unittest import mock
 
+import FreeCAD
 from FreeCAD import Vector
 from reader import seen
 from scenes import DocumentTest
@@ -51,6 +52,19 @@ class CopyTest(DocumentTest):
         copy.Length = "320 mm"
         self.compute()
         self.assertEqual(self.cable.SolvedLength.Value, 300)
+
+    def test_a_copy_into_another_document(self):
+        other = FreeCAD.newDocument("Other")
+        self.addCleanup(FreeCAD.closeDocument, other.Name)
+        copy = other.copyObject(self.cable, True)
+        with no_solve():
+            other.recompute()
+        self.assertEqual({obj.Document for obj in copy.OutListRecursive}, {other})
+        self.assertEqual(copy.NodePosition, self.cable.NodePosition)
+        self.assertEqual(copy.Shape.Volume, self.cable.Shape.Volume)
+        copy.Start.Reference[0][0].Placement.Base += Vector(5, 0, 0)
+        other.recompute()
+        self.assertNear(copy.NodePosition[0], (0.005, 0, 0))
 
     def test_a_copy_with_its_centreline(self):
         copy, line = self.doc.copyObject([self.cable, self.cable.Centreline], False, True)[:2]
