@@ -14,7 +14,7 @@ NO_SLACK = 1e-7
 """Slack, relative to the length, below which an inextensible cable has no finite tension that a
 computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 
-HEAVIEST = 2e7
+HEAVIEST = 5e6
 """Weight ratio above which no case was ever solved; a wrong unit is likelier than such a cable."""
 NEAR = 0.1
 """Change of length, of an end's place in lengths and of its direction in half turns, up to which an earlier shape is

@@ -19,6 +19,8 @@ from . import backend, stability, strong_form
 
 LIMP = 1e-2
 """GJ/EI below which fatrop was seen to correct its matrix without end; ipopt gives up in time."""
+LEADEN = 3e5
+"""Weight ratio above which the same was seen."""
 
 
 class TimeUpError(Exception):
@@ -93,7 +95,8 @@ class Problem:
         wanted = self.scene.options.solver
         names = ["fatrop", "ipopt"] if wanted == "auto" else [wanted]
         rod = self.scene.rod
-        if wanted == "auto" and rod.torsional_stiffness < LIMP * rod.bending_stiffness.min():
+        limp = rod.torsional_stiffness < LIMP * rod.bending_stiffness.min()
+        if wanted == "auto" and (limp or self.scaling.weight_ratio > LEADEN):
             names = ["ipopt"]
         present = [name for name in names if backend.available(name)]
         if not present:
