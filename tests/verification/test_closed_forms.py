@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Solved cables against closed forms.
 
-Tolerances: the error estimate must cover the true position error (with the accuracy of the closed form
-itself and of the solver, 1e-8, added), and be within the tolerance asked for. Energy is stationary, so its relative error is
-that of
-the scheme's energy, for order 4 and 32 elements below 1e-4. A force is a second derivative of the curvature in
-disguise: with curvature like cos(k s), helix elements of length h miss (k h)²/12 of it, 1 % for k = 4π and 32
-elements; order 4 misses about the square of that.
+Tolerances: the error estimate must cover the true position error (with the accuracy of the closed
+form itself and of the solver, 1e-8, added), and be within the tolerance asked for. Energy is stationary,
+so its relative error is that of the scheme's energy, for order 4 and 32 elements below 1e-4. A force is a
+second derivative of the curvature in disguise: with curvature like cos(k s), helix elements of length h
+miss (k h)²/12 of it, 1 % for k = 4π and 32 elements; order 4 misses about the square of that.
 """
 
 import math
