@@ -7,6 +7,7 @@ import Part
 from FreeCAD import Placement, Rotation, Vector
 from known_curves import arc, changed, rod, sag, straight
 from profiles import circle, disc, polygon, rectangle, rounded, slot, star
+from scipy.integrate import trapezoid
 from test_sweep_round import boolean_check
 
 from freecad_cable.errors import DocumentError
@@ -80,7 +81,7 @@ class TestSections(unittest.TestCase):
             self.assertEqual(len(solid.Faces), sides * runs + 2)
             # Pappus: the centroid (x, y) runs over ds (1 + κ1 y − κ2 x).
             k1, k2, _ = nodes.curvature.T / 1e3
-            path = np.trapz(1 + k1 * centroid.y - k2 * centroid.x, nodes.arc_length * 1e3)
+            path = trapezoid(1 + k1 * centroid.y - k2 * centroid.x, nodes.arc_length * 1e3)
             # The trapezoidal rule is off by as much as its end corrections for an excentric section.
             tolerance = 1e-5 if centroid.Length < 1e-6 else 1e-3
             self.assertAlmostEqual(solid.Volume / (shape_area * path), 1, delta=tolerance)
