@@ -47,17 +47,11 @@ def _reading(document):
 
 
 def _touch_dependents(obj):
-    document = obj.Document
-    if _reading(document) or (document.Recomputing and _follows(obj)):
+    if _reading(obj.Document):
         return
     for dependent in (obj, *obj.InListRecursive):
-        if _follows(dependent):
+        if getattr(getattr(dependent, "Proxy", None), "follows_placements", False):
             dependent.touch()
-
-
-def _follows(obj):
-    """Whether it is one of ours; in a recompute it places itself."""
-    return getattr(getattr(obj, "Proxy", None), "follows_placements", False)
 
 
 def _rebase_references(document):

@@ -212,17 +212,15 @@ class WarningTest(DocumentTest):
 
     def test_the_cable_says_it_too_whether_it_is_solved_or_not(self):
         self.cable_between_pins()
-        for name, value, words in (
-            ("MassPerLength", "4.46 kg/m", "Warning: with this diameter, the mass"),
-            (
-                "TorsionalStiffness",
-                "472 N*m^2",
-                "Warning: with this diameter, the torsional stiffness",
-            ),
-        ):
-            setattr(self.type, name, value)
-            self.doc.recompute()
-            self.assertIn(f"{self.type.Label}: {words}", self.cable.Status)
+        self.type.MassPerLength = "4.46 kg/m"
+        self.doc.recompute()
+        said = f"{self.type.Label}: Warning: with this diameter, the mass"
+        self.assertTrue(self.cable.isValid())
+        self.assertIn(said, self.cable.Status)
+        self.cable.Length = "310 mm"
+        failed = SimpleNamespace(status=Status.NOT_CONVERGED, message="Not found.")
+        with mock.patch.object(cable_module, "find_equilibrium", return_value=failed):
+            self.assertFailed(self.cable, "Not found.", said)
 
     def test_a_stiffness_without_its_unit_is_in_the_internal_one(self):
         """0.00118 typed bare is 0.00118 mm³kg/s², a thousand million times too soft."""
