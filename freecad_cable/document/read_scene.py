@@ -14,6 +14,9 @@ from .proxy import proxy_of
 from .reference import container
 from .terminal import Terminal
 
+PATIENCE = 20.0
+"""Seconds after which a solve gives up: the window stands still meanwhile."""
+
 HALF_TURN = (0.0, 1.0, 0.0, 0.0)
 """About x, as a quaternion: a terminal looks out of its part, and at its end the cable runs into it."""
 
@@ -38,7 +41,7 @@ def read_scene(cable) -> Scene:
             start=ends[0],
             end=ends[1],
             gravity=list(cable.Gravity),
-            options=SolveOptions(tolerance=checked.number("Tolerance")),
+            options=SolveOptions(tolerance=checked.number("Tolerance"), time_limit=PATIENCE),
         )
     except ProblemError as error:
         name = IN_SCENE[error.field.partition(".")[0].partition("[")[0]]
