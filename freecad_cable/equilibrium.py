@@ -197,13 +197,13 @@ def _verdict(scene, trial, check, violation):
     tolerance = scene.options.tolerance
     if trial.error <= tolerance:
         return Status.CONVERGED, Status.CONVERGED.value
-    shortfall = f"The position error is estimated at {trial.error:.1g} of the length; {tolerance:g} was asked for"
+    shortfall = f"The position error is estimated at {trial.error:.2g} of the length; {tolerance:g} was asked for"
     if scene.options.elements is not None:
         # Who chooses the mesh chooses the accuracy; the estimate says which.
         return Status.CONVERGED, f"{Status.CONVERGED.value} {shortfall}, with elements fixed."
     return (
         Status.INACCURATE,
-        f"{Status.INACCURATE.value} {shortfall}, and the mesh is as fine as it may be.",
+        f"{Status.INACCURATE.value} {shortfall}, and neither mesh nor time allowed more.",
     )
 
 

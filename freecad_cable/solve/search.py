@@ -17,7 +17,7 @@ from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import mesh
 from .continuation import continued, taut_chord
-from .trial import Problem, Trial
+from .trial import Problem, TimeUpError, Trial
 
 GARBAGE = 0.02
 """Error estimate, relative to the length, above which a coarse answer says nothing about the true one."""
@@ -164,7 +164,10 @@ def _refined(problem, trial):
         # Aim at half the tolerance; at least 1.2 times the elements, at most 4 times.
         factor = np.clip((2 * trial.error / tolerance) ** (1 / order), 1.2, 4.0)
         wanted = mesh.size(elements * factor)
-        finer = problem.solve(trial.shape.on(mesh.refined(trial.shape, wanted)))
+        try:
+            finer = problem.solve(trial.shape.on(mesh.refined(trial.shape, wanted)))
+        except TimeUpError:
+            return trial  # less accurate than asked for, and its estimate says so
         if finer is None or not finer.stable or (elements == wanted and finer.error >= trial.error):
             return trial
         trial = finer
