@@ -73,7 +73,7 @@ def _without_slack(scene):
     rod = scene.rod
     if rod.axial_stiffness is not None:
         return None
-    if not (isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)):
+    if not scene.spans:
         return None
     slack = 1 - scene.chord / rod.length
     if slack >= NO_SLACK:
@@ -85,7 +85,7 @@ def _without_slack(scene):
 
 
 def _advice(scene):
-    if isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned):
+    if scene.spans:
         ratio = scene.rod.length / max(scene.chord, 1e-12)
         if ratio < 1.001:
             return (

@@ -21,6 +21,13 @@ def cross(a, b):
     return result
 
 
+def cross_matrix(v):
+    """Matrices (n, 3, 3) of the cross products v × of vectors (n, 3)."""
+    x, y, z = v.T
+    o = np.zeros_like(x)
+    return np.moveaxis(np.array([[o, -z, y], [z, o, -x], [-y, x, o]]), -1, 0)
+
+
 def multiply(a, b):
     """Quaternion product a ∘ b, (..., 4)."""
     a, b = np.asarray(a, float), np.asarray(b, float)

@@ -49,7 +49,7 @@ class Scene:
             )
 
     def _check_length(self):
-        if not (isinstance(self.start, Pinned) and isinstance(self.end, Pinned)):
+        if not self.spans:
             return
         chord = self.chord
         if self.rod.axial_stiffness is None and self.rod.length < chord:
@@ -58,6 +58,11 @@ class Scene:
                 f"is {self.rod.length:.6g} m, but the ends are {chord:.6g} m apart; "
                 f"the shortest possible length is {chord:.6g} m",
             )
+
+    @property
+    def spans(self) -> bool:
+        """Whether both ends hold a position, so that there is a chord."""
+        return isinstance(self.start, Pinned) and isinstance(self.end, Pinned)
 
     @property
     def chord(self) -> float:

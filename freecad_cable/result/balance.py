@@ -53,7 +53,9 @@ def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | N
     # Read as the strain that it would cause, so that a direction in which the rod is stiff, where the least
     # error of a frame is a large moment, does not drown the others.
     known = moment - rotation.cross(lever, np.outer(s - s[0], weight)) + weighed
-    matrix = np.concatenate([_hat(lever), -np.tile(np.eye(3), (len(s), 1, 1))], axis=2)
+    matrix = np.concatenate(
+        [rotation.cross_matrix(lever), -np.tile(np.eye(3), (len(s), 1, 1))], axis=2
+    )
     soften = np.swapaxes(rotation.matrix(q / norm), 1, 2) / rod.stiffness[:, None]
     matrix, known = soften @ matrix, np.einsum("kij,kj->ki", soften, known)
     unknown = np.linalg.lstsq(matrix.reshape(-1, 6), -known.ravel(), rcond=1e-12)[0]
@@ -66,9 +68,3 @@ def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | N
         moment=float(residual.max() / scale),
         force=float(np.linalg.norm(unbalanced, axis=1).max() / scale),
     )
-
-
-def _hat(v):
-    x, y, z = v.T
-    o = np.zeros_like(x)
-    return np.moveaxis(np.array([[o, -z, y], [z, o, -x], [-y, x, o]]), -1, 0)

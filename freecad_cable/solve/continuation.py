@@ -9,7 +9,6 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..problem import Pinned
 from ..transcription.guess import guess
 from . import mesh
 from .trial import Problem, Trial
@@ -28,8 +27,7 @@ DRIFT = 1e-3
 
 def taut_chord(scene) -> float:
     """Distance of the ends relative to the length, where it can make an inextensible cable taut; else 0."""
-    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
-    if not held or scene.rod.axial_stiffness is not None:
+    if not scene.spans or scene.rod.axial_stiffness is not None:
         return 0.0
     return scene.chord / scene.rod.length
 

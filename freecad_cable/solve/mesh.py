@@ -5,7 +5,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from ..geometry.curves import catenary
-from ..problem import Clamped, Pinned, Swivel
+from ..problem import Clamped, Swivel
 
 COARSE = 32
 """Elements of a first mesh: Table 1 of the seed paper is then within 1e-5 L with the scheme of order 4."""
@@ -49,7 +49,7 @@ def layers(scene, scaling, load=1.0):
 
 def _tensions(scene, weight):
     length = scene.rod.length
-    if not (isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)):
+    if not scene.spans:
         return weight * length, weight * length
     a, b = scene.start.position, scene.end.position
     curve = catenary(a, b, max(length, scene.chord * (1 + 1e-9)), scene.gravity)

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..problem import Pinned, Swivel
+from ..problem import Swivel
 from ..problem.reduce import orientation, reduce
 from ..transcription.guess import guess, hangs, roll_mismatch, rolled
 from ..transcription.nlp import SCHEMES
@@ -91,8 +91,7 @@ def _direct(problem, arc_length):
         roll = roll_mismatch(scene, start)
         if abs(roll) > DOUBTFUL_ROLL:
             starts.append(guess(scene, scaling, arc_length, turns=-1 if roll > 0 else 1))
-    held = isinstance(scene.start, Pinned) and isinstance(scene.end, Pinned)
-    if held and 0 < scene.chord < LOOSE * scaling.length:
+    if scene.spans and 0 < scene.chord < LOOSE * scaling.length:
         starts.append(guess(scene, scaling, arc_length, chain=not hangs(scaling)))
     trials = [problem.solve(each) for each in starts]
     yield from sorted((t for t in trials if t is not None), key=lambda trial: trial.energy)

@@ -29,7 +29,6 @@ class SecondVariation:
         hessian, jacobian = (
             (*place, value.full().ravel()) for place, value in zip(nlp.places, values, strict=True)
         )
-        self.nlp = nlp
         self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
         softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])
         strains = (self.nx[0] - 7 + self.nu) // len(softness)

@@ -101,11 +101,15 @@ class _Law:
         with P b = Q a. The Padé form of the exponential keeps growing modes growing and decaying ones
         decaying, however long the element is against the bending layer; a Taylor form does not."""
         q = y[:, 3:7] / np.linalg.norm(y[:, 3:7], axis=1)[:, None]
-        frames, n, m = rotation.matrix(q), _hat(y[:, 7:10]), _hat(y[:, 10:])
+        frames, n, m = (
+            rotation.matrix(q),
+            rotation.cross_matrix(y[:, 7:10]),
+            rotation.cross_matrix(y[:, 10:]),
+        )
         bend = np.einsum("kij,j,klj->kil", frames, self.bend, frames)
         shear = np.einsum("kij,j,klj->kil", frames, self.shear, frames)
         v = (0, 0, 1) + self.shear * np.einsum("kij,ki->kj", frames, y[:, 7:10])
-        slope = _hat(np.einsum("kij,kj->ki", frames, v))
+        slope = rotation.cross_matrix(np.einsum("kij,kj->ki", frames, v))
         rate = np.zeros((len(y), 12, 12))
         rate[:, 0:3, 3:6] = shear @ n - slope
         rate[:, 0:3, 6:9] = shear
@@ -116,13 +120,6 @@ class _Law:
         half = rate * (steps / 2)[:, None, None]
         even, odd = np.eye(12) + half @ half / 3, half
         return even - odd, even + odd
-
-
-def _hat(v):
-    """(n, 3, 3) matrices of the cross products v ×."""
-    x, y, z = v.T
-    o = np.zeros_like(x)
-    return np.moveaxis(np.array([[o, -z, y], [z, o, -x], [-y, x, o]]), -1, 0)
 
 
 def _end_rows(kind, quaternion, force, moment):

@@ -29,6 +29,11 @@ def series(t, first):
     return total
 
 
+def conjugate(q):
+    """Inverse of a unit quaternion."""
+    return ca.vertcat(q[0], -q[1:])
+
+
 def multiply(a, b):
     """Quaternion product a ∘ b."""
     return ca.vertcat(

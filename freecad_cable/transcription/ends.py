@@ -9,12 +9,12 @@ iteration decides which class of turns is found.
 
 import casadi as ca
 
-from .element import multiply
+from .element import conjugate, multiply
 
 
 def relative(target, q):
     """Rotation from the target frame to q."""
-    return multiply(ca.vertcat(target[0], -target[1:]), q)
+    return multiply(conjugate(target), q)
 
 
 def tangent_rows(target, q):

@@ -9,11 +9,7 @@ building time, of differentiating the whole program.
 
 import casadi as ca
 
-from .element import body, multiply, rotate
-
-
-def conjugate(q):
-    return ca.vertcat(q[0], -q[1:])
+from .element import body, conjugate, multiply, rotate
 
 
 def element_block(scheme, structure, full) -> ca.Function:

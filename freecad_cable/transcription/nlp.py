@@ -39,7 +39,7 @@ class Nlp:
     """A program without numbers. ``x``, ``g``, ``f``, ``p`` are SX columns; ``energies`` is (bending,
     torsion, stretch, gravity), ``mean`` the mean position over the first element, from its first node.
 
-    ``gaps[k]`` is the first row of gap k, ``states[k]`` and ``controls[k]`` the slices of x.
+    ``gaps[k]`` is the first row of gap k.
     """
 
     structure: Structure
@@ -127,10 +127,10 @@ def build(structure: Structure) -> Nlp:
     x, g, lam, equality, gaps, sizes, blocks, gradient, jacobian = ([] for _ in range(9))
     energies = ca.SX.zeros(4)
 
-    def add(rows, is_equality=True):
+    def add(rows):
         g.append(rows)
         lam.append(ca.SX.sym(f"lam{len(lam)}", rows.numel()))
-        equality.extend([is_equality] * rows.numel())
+        equality.extend([True] * rows.numel())
         return rows.numel()
 
     def add_held(rows):
