@@ -81,7 +81,8 @@ def _derivatives(nlp: Nlp, name: str) -> dict:
     if name == "ipopt":
         outputs, titles = [ca.triu(nlp.hessian)], ["triu_hess_gamma_x_x"]
     else:
-        outputs, titles = [nlp.gradient, nlp.hessian], ["grad_gamma_x", "hess_gamma_x_x"]
+        # The plug-in's form has a gradient, which it never reads.
+        outputs, titles = [ca.SX(nlp.x.numel(), 1), nlp.hessian], ["grad_gamma_x", "hess_gamma_x_x"]
     hessian = ca.Function("nlp_hess_l", inputs, outputs, names, titles)
     jacobian = ca.Function(
         "nlp_jac_g", inputs[:2], [nlp.g, nlp.jacobian], names[:2], ["g", "jac_g_x"]

@@ -13,8 +13,8 @@ from .element import body, conjugate, multiply, rotate
 
 
 def element_block(scheme, structure, full) -> ca.Function:
-    """(q and strains, h, stiffness, natural, weight, λ_f, λ of the pose gap) → over q and strains: Hessian and
-    gradient of an element's part of the Lagrangian, and Jacobian (7, …) of the pose that it reaches.
+    """(q and strains, h, stiffness, natural, weight, λ_f, λ of the pose gap) → over q and strains: Hessian of
+    an element's part of the Lagrangian, and Jacobian (7, …) of the pose that it reaches.
 
     ``full`` completes the strains that the model keeps to (κ, v)."""
     size = len(structure.strains)
@@ -48,10 +48,9 @@ def element_block(scheme, structure, full) -> ca.Function:
     kept = list(structure.strains)
     rest = ca.vertcat(natural, 0, 0, 0)[kept]
     elastic = scheme.elastic_energy(h, stiffness[kept], first - rest, last - rest)
-    stiff, pull = ca.hessian(factor * ca.sum1(elastic), strains)
+    stiff = ca.hessian(factor * ca.sum1(elastic), strains)[0]
     stretched = along.T @ curved @ along + bent + stiff
     block = ca.triu2symm(ca.triu(ca.blockcat([[turning, mixed.T], [mixed, stretched]])))
-    gradient = ca.vertcat(-ca.jacobian(weights, q).T @ seen, along.T @ slope + pull)
     d, e = ca.SX.sym("d", 3), ca.SX.sym("e", 4)
     pose = ca.vertcat(rotate(q, d), multiply(q, e))
     outer = ca.horzcat(ca.jacobian(pose, q), ca.jacobian(pose, ca.vertcat(d, e)))
@@ -59,4 +58,4 @@ def element_block(scheme, structure, full) -> ca.Function:
     inner = ca.vertcat(lead[:3, :], lead[6:, :]) @ along
     reach = ca.horzcat(outer[:, :4], outer[:, 4:] @ inner)
     inputs = [ca.vertcat(q, strains), h, stiffness, natural, weight, factor, gap]
-    return ca.Function("element_block", inputs, [block, gradient, reach])
+    return ca.Function("element_block", inputs, [block, reach])

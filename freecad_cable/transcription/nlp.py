@@ -52,7 +52,6 @@ class Nlp:
     multipliers: tuple[ca.SX, ca.SX]
     """λ_f and λ, in which the next two are written"""
     hessian: ca.SX
-    gradient: ca.SX
     """of the Lagrangian λ_f f + λ·g, in x"""
     jacobian: ca.SX
     """of g, in x"""
@@ -124,7 +123,7 @@ def build(structure: Structure) -> Nlp:
     block = element_block(scheme, structure, full)
     factor = ca.SX.sym("lam_f")
     state_size = 7 + (size if scheme.STRAIN_IS_STATE else 0)
-    x, g, lam, equality, gaps, sizes, blocks, gradient, jacobian = ([] for _ in range(9))
+    x, g, lam, equality, gaps, sizes, blocks, jacobian = ([] for _ in range(8))
     energies = ca.SX.zeros(4)
 
     def add(rows):
@@ -134,8 +133,8 @@ def build(structure: Structure) -> Nlp:
         return rows.numel()
 
     def add_held(rows):
-        """Rows on a state alone, and their part of Hessian and gradient."""
-        return add(rows), *ca.hessian(ca.dot(lam[-1], rows), state)
+        """Rows on a state alone, and their part of the Hessian."""
+        return add(rows), ca.hessian(ca.dot(lam[-1], rows), state)[0]
 
     width = structure.elements * (state_size + size) + state_size
 
@@ -145,7 +144,7 @@ def build(structure: Structure) -> Nlp:
         zeros = ca.SX(part.rows(), before), ca.SX(part.rows(), width - before - part.columns())
         return ca.horzcat(zeros[0], part, zeros[1])
 
-    state, arriving = ca.SX.sym("x0", state_size), ca.SX.zeros(state_size)
+    state = ca.SX.sym("x0", state_size)
     for k in range(structure.elements):
         control, following = ca.SX.sym(f"u{k}", size), ca.SX.sym(f"x{k + 1}", state_size)
         x += [state, control]
@@ -168,19 +167,12 @@ def build(structure: Structure) -> Nlp:
         add(following - reached)
         own = ca.vertcat(state, control)
         load = [parameters["stiffness"], parameters["natural"], weight, factor, lam[-1][:7]]
-        hessian, slope, reach = block(own[3:], h, *load)
-        hessian = ca.diagcat(ca.SX(3, 3), hessian)
-        slope = ca.vertcat(-factor * h * weight - lam[-1][:3], slope)
-        if scheme.STRAIN_IS_STATE:
-            slope[state_size:] -= lam[-1][7:]
-        slope[:state_size] += arriving
-        arriving, rows = lam[-1], 0
+        hessian, reach = block(own[3:], h, *load)
+        hessian, rows = ca.diagcat(ca.SX(3, 3), hessian), 0
         if k == 0:
-            rows, held, pull = add_held(ends.start_rows(structure, r, q, parameters))
+            rows, held = add_held(ends.start_rows(structure, r, q, parameters))
             hessian += ca.diagcat(held, ca.SX(size, size))
-            slope[:state_size] += pull
         blocks.append(hessian)
-        gradient.append(slope)
         lead = ca.SX(state_size, own.numel())
         lead[:3, :3] = ca.SX.eye(3)
         lead[:7, 3:] = reach
@@ -192,9 +184,8 @@ def build(structure: Structure) -> Nlp:
         sizes.append((state_size, size, rows))
         state = following
     x.append(state)
-    rows, held, pull = add_held(ends.end_rows(structure, state[:3], state[3:7], parameters))
+    rows, held = add_held(ends.end_rows(structure, state[:3], state[3:7], parameters))
     blocks.append(held)
-    gradient.append(arriving + pull)
     jacobian.append(place(ca.jacobian(g[-1], state), structure.elements))
     sizes.append((state_size, 0, rows))
     return Nlp(
@@ -207,7 +198,6 @@ def build(structure: Structure) -> Nlp:
         mean=first_mean,
         multipliers=(factor, ca.vertcat(*lam)),
         hessian=ca.diagcat(*blocks),
-        gradient=ca.vertcat(*gradient),
         jacobian=ca.vertcat(*jacobian),
         equality=tuple(equality),
         gaps=tuple(gaps),
