@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .errors import SolverMissingError
+from .errors import NotYetError, SolverMissingError
 from .geometry import rotation
 from .problem import Clamped, Pinned, Scene
 from .problem.reduce import Model, orientation, reduce
@@ -33,6 +33,8 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
     one that differs much is ignored.
     Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi.
     """
+    if scene.supports:
+        raise NotYetError("supports", "are not yet solved by this version; leave them out")
     model = reduce(scene)
     if (sentence := _without_slack(scene)) is not None:
         return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)

@@ -9,5 +9,20 @@ checked by ``Scene``.
 from .ends import Clamped, End, Free, Pinned, Swivel
 from .rod import Rod, round_section
 from .scene import Scene
+from .supports import Clamp, Clip, Ring, Sleeve, Support
 
-__all__ = ["Clamped", "End", "Free", "Pinned", "Rod", "Scene", "Swivel", "round_section"]
+__all__ = [
+    "Clamp",
+    "Clamped",
+    "Clip",
+    "End",
+    "Free",
+    "Pinned",
+    "Ring",
+    "Rod",
+    "Scene",
+    "Sleeve",
+    "Support",
+    "Swivel",
+    "round_section",
+]

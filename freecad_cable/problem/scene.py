@@ -9,6 +9,7 @@ from ..errors import ProblemError
 from ..options import SolveOptions
 from .checked import number, vector
 from .ends import End, Free, Pinned
+from .reach import check_reach
 from .rod import Rod
 
 
@@ -22,17 +23,19 @@ class Scene:
     gravity: np.ndarray = field(default=(0.0, 0.0, -9.81))
     """(3,) [m/s²]"""
     supports: tuple = ()
-    """in order along the cable"""
+    """of ``Support``, in order along the cable"""
     obstacles: tuple = ()
+    """of ``Obstacle``"""
     clearance: float = 0.0
     """[m], between the surface of the cable and obstacles"""
     options: SolveOptions = SolveOptions()
 
     def __post_init__(self):
         object.__setattr__(self, "gravity", vector("gravity", self.gravity))
+        object.__setattr__(self, "supports", tuple(self.supports))
         number("clearance", self.clearance, at_least=0, unit="m")
         self._check_held()
-        self._check_length()
+        check_reach(self)
 
     def _check_held(self):
         held = [end for end in (self.start, self.end) if not isinstance(end, Free)]
@@ -47,16 +50,11 @@ class Scene:
                 "pinned, the other end free and no weight: the cable can turn freely; "
                 "clamp this end or hold the other",
             )
-
-    def _check_length(self):
-        if not self.spans:
-            return
-        chord = self.chord
-        if self.rod.axial_stiffness is None and self.rod.length < chord:
+        if self.supports and len(held) < 2 and all(s.slides for s in self.supports) and not held:
             raise ProblemError(
-                "cable.length",
-                f"is {self.rod.length:.6g} m, but the ends are {chord:.6g} m apart; "
-                f"the shortest possible length is {chord:.6g} m",
+                "supports",
+                "both ends are free and every support lets the cable slide, so it would slide out; "
+                "hold an end or give a support an arc length",
             )
 
     @property

@@ -12,6 +12,7 @@ from .checked import number, shown, vector
 from .ends import Clamped, Free, Pinned, Swivel
 from .rod import Rod
 from .scene import Scene
+from .supports import SUPPORTS
 
 SCHEMA = 1
 ENDS = {"clamped": Clamped, "swivel": Swivel, "pinned": Pinned, "free": Free}
@@ -50,18 +51,20 @@ def read_scene(data) -> Scene:
         raise ProblemError(
             "schema", f"is {shown(fields['schema'])}; this version reads schema {SCHEMA}"
         )
-    supports = _kinds("supports", fields.get("supports", []), SUPPORT_FIELDS, ("arc_length",))
+    supports = _supports(fields.get("supports", []))
     obstacles = _kinds("obstacles", fields.get("obstacles", []), OBSTACLE_FIELDS, ())
     start, end = (_end(place, fields[place]) for place in ("start", "end"))
-    for name, found in (("supports", supports), ("obstacles", obstacles)):
-        if found:
-            raise NotYetError(name, "are read but not yet solved by this version; leave them out")
+    if obstacles:
+        raise NotYetError(
+            "obstacles", "are read but not yet solved by this version; leave them out"
+        )
     gravity = fields.get("gravity", [0, 0, -9.81])
     clearance = fields.get("clearance", 0.0)
     return Scene(
         rod=_rod(fields["cable"], start, end),
         start=start,
         end=end,
+        supports=supports,
         gravity=vector("gravity", gravity),
         clearance=number("clearance", clearance, at_least=0, unit="m"),
         options=_options(fields.get("options", {})),
@@ -115,6 +118,18 @@ def _end(place, data):
     kind = _kind(place, data, END_FIELDS)
     fields = _fields(place, data, ("kind", *END_FIELDS[kind]), ())
     return ENDS[kind](*(fields[name] for name in END_FIELDS[kind]), place=place)
+
+
+def _supports(data) -> tuple:
+    found = _kinds("supports", data, SUPPORT_FIELDS, ("arc_length",))
+    return tuple(
+        SUPPORTS[kind](
+            *(fields[name] for name in SUPPORT_FIELDS[kind]),
+            arc_length=fields.get("arc_length"),
+            place=f"supports[{i}]",
+        )
+        for i, (kind, fields) in enumerate(found)
+    )
 
 
 def _options(data) -> SolveOptions:
