@@ -3,11 +3,11 @@
 
 import numpy as np
 
-from .errors import NotYetError, SolverMissingError
+from .errors import SolverMissingError
 from .geometry import rotation
 from .problem import Clamped, Pinned, Scene
 from .problem.reduce import Model, orientation, reduce
-from .result import Energy, Load, Solution, balance, end_violation, smallest_bend_radius
+from .result import Balance, Energy, Load, Solution, balance, end_violation, smallest_bend_radius
 from .status import Status
 
 NO_SLACK = 1e-7
@@ -33,8 +33,6 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
     one that differs much is ignored.
     Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi.
     """
-    if scene.supports:
-        raise NotYetError("supports", "are not yet solved by this version; leave them out")
     model = reduce(scene)
     if (sentence := _without_slack(scene)) is not None:
         return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)
@@ -147,7 +145,7 @@ def _solution(problem, trial, model: Model) -> Solution:
     position = scaling.origin + shape.position * length
     force, moment = shape.force * scaling.force, shape.moment * scaling.energy
     curvature = shape.strain[:, :3] / length
-    check = balance(rod, scene.weight, arc_length, position, shape.quaternion, force)
+    check = _balance(rod, scene.weight, scaling, shape)
     status, message = _verdict(
         scene, trial, check, end_violation(scene, position, shape.quaternion)
     )
@@ -164,7 +162,15 @@ def _solution(problem, trial, model: Model) -> Solution:
         energy=_energy(problem, trial),
         start_reaction=Load(-force[0], -moment[0]),
         end_reaction=Load(force[-1], moment[-1]),
-        min_bend_radius=smallest_bend_radius(arc_length, curvature),
+        support_reactions=tuple(
+            Load(joint.force * scaling.force, joint.moment * scaling.energy)
+            for joint in shape.joints
+        ),
+        support_nodes=tuple(joint.node for joint in shape.joints),
+        min_bend_radius=min(
+            smallest_bend_radius(part.arc_length * length, part.strain[:, :3] / length)
+            for part in shape.parts()
+        ),
         stable=trial.stable,
         position_error=trial.error * length,
         balance=check,
@@ -172,6 +178,22 @@ def _solution(problem, trial, model: Model) -> Solution:
         kept=model.kept,
         solver=_effort(problem, trial),
     )
+
+
+def _balance(rod, weight, scaling, shape):
+    """The worst of the stretches between supports."""
+    found = [
+        balance(
+            rod,
+            weight,
+            part.arc_length * scaling.length,
+            scaling.origin + part.position * scaling.length,
+            part.quaternion,
+            part.force * scaling.force,
+        )
+        for part in shape.parts()
+    ]
+    return Balance(max(b.moment for b in found), max(b.force for b in found))
 
 
 def _energy(problem, trial):

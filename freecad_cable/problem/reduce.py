@@ -8,6 +8,7 @@ import numpy as np
 from ..geometry import rotation
 from .ends import Clamped, Swivel
 from .scene import Scene
+from .supports import Clamp, Sleeve
 
 SHEAR, STRETCH = (3, 4), (5,)
 
@@ -30,16 +31,12 @@ def reduce(scene: Scene) -> Model:
     rod = scene.rod
     strains, left_out, kept = [0, 1], [], ["bending in two directions"]
 
-    twisting_ends = isinstance(scene.start, Clamped) and isinstance(scene.end, Clamped)
-    if twisting_ends or not rod.isotropic:
+    holders = [h for h in (scene.start, *scene.supports, scene.end) if _holds_twist(h)]
+    if len(holders) > 1 or not rod.isotropic:
         strains.append(2)
         kept.append("torsion")
     else:
-        loose = "start" if not isinstance(scene.start, Clamped) else "end"
-        left_out.append(
-            f"torsion: the {loose} is free to twist and the cable bends alike in all directions, "
-            "so it carries no torque (exact)"
-        )
+        left_out.append(f"torsion: {_why_no_torque(scene)}")
     if scene.weight.any():
         kept.append("gravity")
     else:
@@ -58,8 +55,20 @@ def reduce(scene: Scene) -> Model:
     return Model(tuple(strains), tuple(left_out), tuple(kept))
 
 
+def _holds_twist(holder) -> bool:
+    return isinstance(holder, (Clamped, Clamp))
+
+
+def _why_no_torque(scene) -> str:
+    if scene.supports:
+        loose = "all that holds the cable, but for one clamp at most, lets it twist"
+    else:
+        loose = f"the {'end' if _holds_twist(scene.start) else 'start'} is free to twist"
+    return f"{loose} and the cable bends alike in all directions, so it carries no torque (exact)"
+
+
 def orientation(end) -> np.ndarray | None:
-    """Unit tangent (3,) that an end prescribes, or None."""
-    if isinstance(end, Clamped):
+    """Unit tangent (3,) that an end or a support prescribes, or None."""
+    if _holds_twist(end):
         return rotation.tangent(end.quaternion)
-    return end.tangent if isinstance(end, Swivel) else None
+    return end.tangent if isinstance(end, (Swivel, Sleeve)) else None

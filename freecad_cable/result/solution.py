@@ -62,6 +62,9 @@ class Solution:
     """what the connector at the start exerts on the cable"""
     end_reaction: Load | None = None
     support_reactions: tuple[Load, ...] = ()
+    """what each support exerts on the cable; beyond its node force and moment are less by as much"""
+    support_nodes: tuple[int, ...] = ()
+    """node of each support; force, moment and curvature there are those just before it"""
     min_bend_radius: tuple[float, float] | None = None
     """smallest bend radius of the centreline [m] and the arc length where it is [m]"""
     contacts: tuple = ()

@@ -9,7 +9,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ..problem.reach import shortest_way, stations
 from ..transcription.guess import guess
+from ..transcription.waypoints import breaks
 from . import mesh
 from .trial import Problem, Trial
 
@@ -26,10 +28,16 @@ DRIFT = 1e-3
 
 
 def taut_chord(scene) -> float:
-    """Distance of the ends relative to the length, where it can make an inextensible cable taut; else 0."""
-    if not scene.spans or scene.rod.axial_stiffness is not None:
+    """Of the held places that an inextensible cable is most taut between: distance over length; else 0."""
+    if scene.rod.axial_stiffness is not None:
         return 0.0
-    return scene.chord / scene.rod.length
+    held = stations(scene)
+    fixed = [i for i, station in enumerate(held) if station.arc_length is not None]
+    ratios = [
+        shortest_way(held[a : b + 1]) / (held[b].arc_length - held[a].arc_length)
+        for a, b in zip(fixed, fixed[1:], strict=False)
+    ]
+    return max(ratios, default=0.0)
 
 
 def continued(problem: Problem, elements: int) -> Iterator[Trial]:
@@ -48,7 +56,7 @@ def continued(problem: Problem, elements: int) -> Iterator[Trial]:
         reach = 1.0 if loose == slack else (1 - loose ** (1 - progress) * slack**progress) / chord
         return {"load": load ** (1 - progress), "reach": reach}
 
-    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load))
+    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load), breaks(scene, scaling))
     trial = problem.solve(guess(scene, scaling, arc_length), **at(0))
     longest = 1 / np.ceil(np.log(max(1 / load, loose / slack)) / np.log(FACTOR))
     progress, step = 0.0, longest

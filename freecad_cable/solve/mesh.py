@@ -13,12 +13,17 @@ SIZES = (32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
 """Element counts that refinement chooses from, so that built solvers find reuse."""
 
 
-def uniform(elements) -> np.ndarray:
-    """(n+1,) arc lengths"""
-    return np.linspace(0, 1, elements + 1)
+FEWEST = 8
+"""Elements of a stretch between supports; the others are multiples, so that built solvers find reuse."""
 
 
-def graded(elements, layers) -> np.ndarray:
+def uniform(elements, breaks=()) -> np.ndarray:
+    """(n+1,) arc lengths, those of ``breaks`` (supports) among them."""
+    s = np.linspace(0, 1, 2)
+    return _by_stretches(s, np.ones(2), elements, breaks)
+
+
+def graded(elements, layers, breaks=()) -> np.ndarray:
     """(n+1,) arc lengths, half of the elements within about three layer widths of the ends.
 
     ``layers``: width of the bending layer at start and end, relative to the length; None where there is none.
@@ -29,7 +34,7 @@ def graded(elements, layers) -> np.ndarray:
         if width is not None:
             layer = np.exp(-distance / (2 * width))
             density += layer / trapezoid(layer, s)
-    return _equidistributed(s, density, elements)
+    return _by_stretches(s, density, elements, breaks)
 
 
 def layers(scene, scaling, load=1.0):
@@ -66,6 +71,15 @@ def _tensions(scene, weight):
 def refined(shape, elements) -> np.ndarray:
     """(n+1,) arc lengths that suit a shape: a linear strain misses h² κ''/8 in an element, and to spread the
     integral of that evenly wants a density of |κ''|^(1/3)."""
+    densities = np.concatenate([_density(part) for part in shape.parts()])
+    s = np.concatenate([part.arc_length for part in shape.parts()])
+    breaks = [shape.arc_length[joint.node] for joint in shape.joints]
+    return _by_stretches(s, densities, elements, breaks)
+
+
+def _density(shape):
+    if len(shape.steps) < 3:
+        return np.ones(len(shape.arc_length))
     middle = (shape.arc_length[1:] + shape.arc_length[:-1]) / 2
     slope = np.diff(shape.strain[:, :3], axis=0) / shape.steps[:, None]
     bend = np.linalg.norm(np.diff(slope, axis=0) / np.diff(middle)[:, None], axis=1)
@@ -73,8 +87,7 @@ def refined(shape, elements) -> np.ndarray:
     # Neighbours share the sharpest, so that a sharp place stays inside its fine elements.
     wide = np.pad(bend, 1, mode="edge")
     bend = np.max([wide[:-2], bend, wide[2:]], axis=0)
-    density = (bend + 1e-6 * bend.max() + 1e-9) ** (1 / 3)
-    return _equidistributed(shape.arc_length, density, elements)
+    return (bend + 1e-6 * bend.max() + 1e-9) ** (1 / 3)
 
 
 def size(elements) -> int:
@@ -82,8 +95,33 @@ def size(elements) -> int:
     return next((n for n in SIZES if n >= elements), SIZES[-1])
 
 
+def _by_stretches(s, density, elements, breaks):
+    """Nodes for a density (m,) at s (m,), which may jump where s repeats; each stretch gets whole elements."""
+    if not len(breaks):
+        return _equidistributed(s, density, elements)
+    cumulative = _cumulative(s, density)
+    places = np.array([0.0, *breaks, 1.0])
+    share = np.diff(np.interp(places, s, cumulative)) / cumulative[-1]
+    nodes = [np.zeros(1)]
+    for a, b, part in zip(places, places[1:], share, strict=False):
+        count = FEWEST * max(1, round(part * elements / FEWEST))
+        inside = (s > a) & (s < b)
+        own = np.concatenate([[a], s[inside], [b]])
+        values = (
+            np.interp(own, s, density)
+            if inside.sum() < 2
+            else np.concatenate([density[inside][:1], density[inside], density[inside][-1:]])
+        )
+        nodes.append(a + (b - a) * _equidistributed((own - a) / (b - a), values, count)[1:])
+    return np.concatenate(nodes)
+
+
+def _cumulative(s, density):
+    return np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))])
+
+
 def _equidistributed(s, density, elements):
-    cumulative = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))])
+    cumulative = _cumulative(s, density)
     # A floor on the density keeps the largest element at most four times the average.
     cumulative = cumulative / cumulative[-1] + s / 3
     nodes = np.interp(np.linspace(0, cumulative[-1], elements + 1), cumulative, s)

@@ -13,6 +13,7 @@ import numpy as np
 from ..problem import Swivel
 from ..problem.reduce import orientation, reduce
 from ..transcription.guess import guess, hangs, roll_mismatch, rolled
+from ..transcription.layout import places
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import mesh
@@ -37,7 +38,7 @@ DOUBTFUL_ROLL = 2.0
 def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
     elements = problem.scene.options.elements
-    first = mesh.uniform(elements or mesh.COARSE)
+    first = mesh.uniform(elements or mesh.COARSE, problem.breaks)
     found = None
     if warm is not None:
         found = problem.solve(warm.on(warm.arc_length if elements is None else first))
@@ -72,7 +73,7 @@ def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
         ways.reverse()
     if problem.scene.options.elements is None:
         # A soft or sharply bent cable may need more elements before its program has the right minimum at all.
-        ways.append(lambda: _direct(problem, mesh.uniform(3 * mesh.COARSE)))
+        ways.append(lambda: _direct(problem, mesh.uniform(3 * mesh.COARSE, problem.breaks)))
     for way in ways:
         yield from way()
     yield from _elsewhere(problem, arc_length)
@@ -102,7 +103,7 @@ def _without_torsion(problem, arc_length):
     plain guess the soft twist runs away to other numbers of turns."""
     scene, rod = problem.scene, problem.scene.rod
     soft = rod.torsional_stiffness < SOFT * rod.bending_stiffness[0]
-    if not (problem.model.twist and rod.isotropic and soft):
+    if scene.supports or not (problem.model.twist and rod.isotropic and soft):
         return None
     loose = replace(scene, end=Swivel(scene.end.position, orientation(scene.end)))
     trial = find(replace(problem, scene=loose, model=reduce(loose)))
@@ -142,14 +143,12 @@ def _off_saddle(problem, trial):
 
 
 def _positions(trial, x):
-    return np.array([state[:3] for state in trial.nlp.split(x)[0]])
+    return x[trial.nlp.states[:, :3]]
 
 
 def _displaced(trial, change):
-    states, _ = trial.nlp.split(trial.raw.x + change)
-    nodes = np.array([state[:7] for state in states])
-    quaternion = nodes[:, 3:] / np.linalg.norm(nodes[:, 3:], axis=1)[:, None]
-    return Shape.from_frames(trial.shape.arc_length, nodes[:, :3], quaternion)
+    arc_length, position, quaternion = places(trial.nlp, trial.shape.steps, trial.raw.x + change)
+    return Shape.from_frames(arc_length, position, quaternion, trial.nlp.structure.joints)
 
 
 def _refined(problem, trial):

@@ -17,7 +17,12 @@ ZERO = 1e-6
 (a symmetric cable that may turn) has eigenvalues of about 1e-12; an unstable cable a step past its critical
 load has more than this in all cases of the tests."""
 PENALTY = 1e5
-"""On the end conditions, against elastic energies of order one; larger values lose digits, smaller ones prove less."""
+"""On the conditions of ends and supports, against elastic energies of order one; larger values lose digits, smaller
+ones prove less."""
+
+
+ACTING = 1e-6
+"""Multiplier, in units of force, above which a bound pushes: the solvers leave 1e-9 over the distance to it."""
 
 
 class SecondVariation:
@@ -31,13 +36,12 @@ class SecondVariation:
         )
         self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
         softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])
-        strains = (self.nx[0] - 7 + self.nu) // len(softness)
-        self.scale = np.concatenate(
-            [np.concatenate([np.ones(7), np.tile(softness, count)]) for count in strains]
-        )
+        self.scale = np.where(nlp.strain_of >= 0, softness[nlp.strain_of], 1.0)
         self.columns = np.concatenate([[0], np.cumsum(self.nx + self.nu)])
         self.gaps = np.append(self.nx[1:], 0)
         rows = np.concatenate([[0], np.cumsum(self.gaps + ng)])
+        acting = _acting(nlp, multipliers)[jacobian[0]]
+        jacobian = (*jacobian[:2], np.where(acting, jacobian[2], 0.0))
         self.rows = self._blocks(*jacobian, rows, (self.gaps + ng).max())
         self.curvature = self._blocks(*hessian, self.columns, (self.nx + self.nu).max())
         self.sides = ng
@@ -63,16 +67,22 @@ class SecondVariation:
                 # Gap rows: next state in its own scale, minus what this stage leads to.
                 lead = -self.rows[k, : self.gaps[k], :own] / self._next_scale(k)
                 h = self.curvature[k, :own, :own] + lead.T @ p @ lead
+                side = self._side(k, own)
                 if k == 0:
-                    side = self.rows[0, self.gaps[0] : self.gaps[0] + self.sides[0], :own]
                     free = null_space(side) if len(side) else np.eye(own)
                     np.linalg.cholesky(free.T @ h @ free)
                     return True
+                if len(side):
+                    h += PENALTY * side.T @ side
                 factor = np.linalg.cholesky(h[nx:, nx:])
                 half = np.linalg.solve(factor, h[nx:, :nx])
                 p = h[:nx, :nx] - half.T @ half
         except np.linalg.LinAlgError:
             return False
+
+    def _side(self, k, own):
+        """Rows of a stage beside its gap, over its variables; zero for bounds that do not act."""
+        return self.rows[k, self.gaps[k] : self.gaps[k] + self.sides[k], :own]
 
     def _next_scale(self, k):
         there = self.columns[k + 1]
@@ -93,7 +103,7 @@ class SecondVariation:
         """(len x, free) basis of the variations that satisfy all rows to first order: the states follow from
         the controls and from what the start leaves free; what the end forbids is projected out."""
         own = self.columns[1]
-        side = self.rows[0, self.gaps[0] : self.gaps[0] + self.sides[0], :own]
+        side = self._side(0, own)
         free = null_space(side) if len(side) else np.eye(own)
         basis = np.zeros((self.columns[-1], free.shape[1] + self.nu[1:].sum()))
         basis[:own, : free.shape[1]] = free
@@ -106,9 +116,19 @@ class SecondVariation:
                 used += self.nu[k]
             lead = -self.rows[k, : self.gaps[k], : self.nx[k] + self.nu[k]] / self._next_scale(k)
             basis[there : there + self.nx[k + 1], :used] = lead @ basis[here:there, :used]
-        ends = self.rows[-1, : self.sides[-1], : self.nx[-1]] @ basis[self.columns[-2] :]
-        if len(ends):
-            q, r = qr(ends.T)[:2]
+        held = [
+            self._side(k, self.nx[k] + self.nu[k]) @ basis[self.columns[k] : self.columns[k + 1]]
+            for k in range(1, len(self.nx))
+            if self.sides[k]
+        ]
+        if held and (held := np.vstack(held)).any():
+            q, r, _ = qr(held.T, pivoting=True)
             rank = int(np.sum(np.abs(np.diag(r)) > 1e-10 * np.abs(r).max()))
             basis = basis @ q[:, rank:]
         return basis
+
+
+def _acting(nlp, multipliers):
+    """(rows,) whether a row holds: an equation, or a bound that pushes."""
+    multipliers = np.asarray(multipliers)
+    return np.array(nlp.equality) | (np.abs(multipliers) > ACTING)

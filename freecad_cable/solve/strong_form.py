@@ -11,11 +11,10 @@ its square. It shares nothing with the transcription but the nodes.
 """
 
 import numpy as np
-from scipy.linalg import lstsq
-from scipy.sparse import csc_matrix
-from scipy.sparse.linalg import splu
 
 from ..geometry import rotation
+from . import joints
+from .linear import LinearProblem
 
 SUBSTEPS = 3
 """Runge–Kutta steps in an element: leaves 1/3⁴ of an order-4 element's own error unseen."""
@@ -32,24 +31,42 @@ def correction(shape, values, structure) -> np.ndarray:
     compliance = np.zeros(6)
     kept = list(structure.strains)
     compliance[kept] = 1 / values["stiffness"][kept]
-    law = _Law(compliance, values["natural"], values["weight"])
-    arc_length, given = _resolving(shape, compliance)
-    shape = shape.on(arc_length)
-    state = np.hstack([shape.position, shape.quaternion, shape.force, shape.moment])
+    law = Law(compliance, values["natural"], values["weight"])
+    parts, given = [], []
+    for part in shape.parts():
+        arc_length, own = _resolving(part, compliance)
+        parts.append(part.on(arc_length))
+        given.append(own)
+    states = [
+        np.hstack([part.position, part.quaternion, part.force, part.moment]) for part in parts
+    ]
+    before, after = (np.vstack([y[cut] for y in states]) for cut in (np.s_[:-1], np.s_[1:]))
+    steps = np.concatenate([part.steps for part in parts])
     with np.errstate(all="ignore"):
-        reached = law.integrate(state[:-1], shape.steps)
+        reached = law.integrate(before, steps)
     if not np.isfinite(reached).all():
-        return np.full((len(given), 12), np.inf)
-    turn = rotation.logarithm(
-        rotation.multiply(state[1:, 3:7], rotation.conjugate(reached[:, 3:7]))
-    )
-    defects = np.hstack([state[1:, :3] - reached[:, :3], turn, state[1:, 7:] - reached[:, 7:]])
-    transfer = law.transfer((state[1:] + state[:-1]) / 2, shape.steps)
-    first = _end_rows(structure.start, shape.quaternion[0], shape.force[0], shape.moment[0])
-    last = _end_rows(structure.end, shape.quaternion[-1], shape.force[-1], shape.moment[-1])
+        return np.full((len(shape.arc_length), 12), np.inf)
+    turn = rotation.logarithm(rotation.multiply(after[:, 3:7], rotation.conjugate(reached[:, 3:7])))
+    defects = np.hstack([after[:, :3] - reached[:, :3], turn, after[:, 7:] - reached[:, 7:]])
+    transfer = law.transfer((after + before) / 2, steps)
+    first, last = states[0][0], states[-1][-1]
+    first_rows = _end_rows(structure.start, first[3:7], first[7:10], first[10:])
+    last_rows = _end_rows(structure.end, last[3:7], last[7:10], last[10:])
     if structure.rolls:
-        first = _fix_roll(first, shape.quaternion[0])
-    return _solve(transfer, defects, first, last)[given]
+        first_rows = _fix_roll(first_rows, first[3:7])
+    linear = LinearProblem([len(part.steps) for part in parts])
+    linear.elements(transfer, defects)
+    linear.ends(first_rows, last_rows)
+    if shape.joints:
+        joints.add(linear, shape, values, structure, law, states, parts)
+    found = linear.solve()
+    # A joint is known from both sides; the nodes of a shape are those just before it.
+    return np.vstack(
+        [
+            own[index if k == 0 else index[1:]]
+            for k, (own, index) in enumerate(zip(found, given, strict=True))
+        ]
+    )
 
 
 def _resolving(shape, compliance):
@@ -68,7 +85,7 @@ def _resolving(shape, compliance):
     return np.append(np.concatenate(inner), shape.arc_length[-1]), given
 
 
-class _Law:
+class Law:
     """The right-hand side and its linearisation, for many elements at once."""
 
     def __init__(self, compliance, natural, weight):
@@ -151,33 +168,3 @@ def _fix_roll(rows, quaternion):
     matrix[k, 3:6] = d3
     values[k] = 0
     return matrix, values
-
-
-def _solve(transfer, defects, first, last):
-    after, before = transfer
-    n = len(after)
-    size = 12 * (n + 1)
-    block_rows, block_cols = np.meshgrid(np.arange(12), np.arange(12), indexing="ij")
-    offset = 12 * np.arange(n)[:, None, None]
-    rows = [(6 + offset + block_rows).ravel()] * 2
-    cols = [(offset + block_cols).ravel(), (12 + offset + block_cols).ravel()]
-    data = [-before.ravel(), after.ravel()]
-    for (matrix, _), row, col in ((first, 0, 0), (last, size - 6, size - 12)):
-        i, j = np.nonzero(matrix)
-        rows.append(row + i)
-        cols.append(col + j)
-        data.append(matrix[i, j])
-    matrix = csc_matrix(
-        (np.concatenate(data), (np.concatenate(rows), np.concatenate(cols))), (size, size)
-    )
-    missing = np.einsum("kij,kj->ki", after, defects)
-    right = np.concatenate([first[1], -missing.ravel(), last[1]])
-    try:
-        answer = splu(matrix).solve(right)
-        resolved = np.abs(answer).max() < 1e6 * np.abs(right).max() + 1e-300
-    except RuntimeError:
-        resolved = False
-    if not resolved:
-        # A rod that may move as a whole (a circle of solutions) has no unique correction: the shortest.
-        answer = lstsq(matrix.toarray(), right, cond=1e-10)[0]
-    return answer.reshape(n + 1, 12)

@@ -8,13 +8,15 @@ from functools import cached_property
 import numpy as np
 
 from ..errors import SolverMissingError
-from ..problem import Scene
+from ..problem import Clamp, Ring, Scene
 from ..problem.reduce import Model
 from ..transcription import layout
 from ..transcription.nlp import Nlp, build, pack
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
 from ..transcription.structure import Structure
+from ..transcription.supports import TIGHT
+from ..transcription.waypoints import breaks
 from . import backend, stability, strong_form
 
 LIMP = 1e-2
@@ -85,6 +87,11 @@ class Problem:
     def of(cls, scene: Scene, model: Model) -> "Problem":
         return cls(scene, model, Scaling.of(scene), time.perf_counter() + scene.options.time_limit)
 
+    @cached_property
+    def breaks(self) -> tuple[float, ...]:
+        """Arc lengths of the supports, relative to the length; guessed where the cable slides."""
+        return breaks(self.scene, self.scaling)
+
     @property
     def scheme(self) -> str:
         wanted = self.scene.options.scheme
@@ -105,11 +112,23 @@ class Problem:
             )
         return present
 
-    def structure(self, elements) -> Structure:
+    def structure(self, stretches) -> Structure:
         scene = self.scene
         return Structure(
-            self.scheme, elements, scene.start.kind, scene.end.kind, self.model.strains
+            self.scheme,
+            stretches,
+            scene.start.kind,
+            scene.end.kind,
+            self.model.strains,
+            tuple(self._support_kind(support) for support in scene.supports),
+            tuple(support.slides for support in scene.supports),
         )
+
+    def _support_kind(self, support):
+        if isinstance(support, Ring):
+            tight = self.scaling.play(support, self.scene.rod) < TIGHT
+            return "eyelet" if tight else "ring"
+        return "clamp" if isinstance(support, Clamp) else "sleeve"
 
     def solve(self, start: Shape, *, load=1.0, reach=1.0, fallback=True) -> Trial | None:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
@@ -118,12 +137,8 @@ class Problem:
         rather takes a shorter step than fall back to the slower solver.
         """
         nlp = self._built(start)
-        values = self.scaling.parameters(
-            self.scene, start.quaternion[0], start.quaternion[-1], load
-        )
-        values["start_position"] = reach * values["start_position"]
-        values["end_position"] = reach * values["end_position"]
-        parameters = pack(values, start.steps)
+        values = self.scaling.parameters(self.scene, start, load, reach)
+        parameters = pack(nlp.structure, values, start.steps)
         x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start)
         for name in self.solvers if fallback else self.solvers[:1]:
             if time.perf_counter() > self.deadline:
@@ -139,6 +154,6 @@ class Problem:
 
     def _built(self, start):
         begin = time.perf_counter()
-        nlp = build(self.structure(len(start.steps)))
+        nlp = build(self.structure(start.stretches))
         self.build_time += time.perf_counter() - begin
         return nlp

@@ -8,9 +8,9 @@ from ..geometry import rotation
 from ..geometry.curves import catenary, hermite
 from ..geometry.guess import perpendicular
 from ..problem import Clamped, Pinned, Scene
-from ..problem.reduce import orientation
 from .scaling import Scaling
 from .shape import Shape
+from .waypoints import breaks, waypoints
 
 HEAVY = 50.0
 """Weight ratio w L³/EI above which a hanging chain is nearer to the cable than a spline (measured: from a
@@ -22,7 +22,8 @@ with success. Far larger than rounding, far smaller than what changes the iterat
 
 
 def guess(scene: Scene, scaling: Scaling, arc_length, *, turns=0, chain=None, sag=None) -> Shape:
-    """Nodes at ``arc_length`` (n+1,) in [0, 1] that satisfy the end conditions, nearly in equilibrium.
+    """Nodes at ``arc_length`` (n+1,) in [0, 1], those of the supports among them, that satisfy the end conditions,
+    nearly in equilibrium.
 
     The frames carry as little twist as the ends allow, plus ``turns`` full turns. ``chain`` chooses
     between a hanging chain and a spline (None: by weight); ``sag`` (3,) sends the slack elsewhere than gravity.
@@ -51,8 +52,12 @@ def rolled(scene, scaling, arc_length, position, quaternion, turns=0) -> Shape:
     else:
         spin = natural_twist * arc_length
     spin = np.outer(spin, (0.0, 0.0, 1.0))
+    joints = np.searchsorted(arc_length, np.array(breaks(scene, scaling)) - 1e-12)
     return Shape.from_frames(
-        arc_length, position, rotation.multiply(quaternion, rotation.exponential(spin))
+        arc_length,
+        position,
+        rotation.multiply(quaternion, rotation.exponential(spin)),
+        [int(node) for node in joints],
     )
 
 
@@ -68,24 +73,45 @@ def hangs(scaling: Scaling) -> bool:
 
 
 def _curve(scene, scaling, arc_length, chain, sag):
+    """Position and tangent (n+1, 3): a curve between each two places that hold the cable, and its free ends."""
     weight = scene.weight * scaling.length**3 / np.sqrt(np.prod(scene.rod.bending_stiffness))
-    start, end = scene.start, scene.end
-    if not isinstance(end, Pinned):
-        return _hanging(scaling.point(start.position), orientation(start), weight, arc_length)
-    if not isinstance(start, Pinned):
-        tangent = orientation(end)
-        tangent = None if tangent is None else -tangent
-        position, tangent = _hanging(scaling.point(end.position), tangent, weight, 1 - arc_length)
-        return position, -tangent
-    a, b = scaling.point(start.position), scaling.point(end.position)
-    length = max(1.0, float(np.linalg.norm(b - a)) * (1 + 1e-9))
+    held = waypoints(scene, scaling)
+    chain = hangs(scaling) if chain is None else chain
+    pieces = []
+    if not isinstance(scene.start, Pinned):
+        first = held[0]
+        here = arc_length[arc_length < first.arc_length]
+        tangent = None if first.tangent is None else -first.tangent
+        position, tangent = _hanging(first.position, tangent, weight, first.arc_length - here)
+        pieces.append((position, -tangent))
+    for k, (a, b) in enumerate(zip(held, held[1:], strict=False)):
+        last = k == len(held) - 2
+        inside = (arc_length >= a.arc_length) & (
+            (arc_length <= b.arc_length) if last else (arc_length < b.arc_length)
+        )
+        pieces.append(_between(a, b, arc_length[inside], weight, chain, sag))
+    if not isinstance(scene.end, Pinned):
+        last = held[-1]
+        here = arc_length[
+            arc_length > last.arc_length if len(held) > 1 else arc_length >= last.arc_length
+        ]
+        pieces.append(_hanging(last.position, last.tangent, weight, here - last.arc_length))
+    position, tangent = (np.vstack(part) for part in zip(*pieces, strict=True))
+    return position, tangent
+
+
+def _between(a, b, arc_length, weight, chain, sag):
+    length = b.arc_length - a.arc_length
+    length = max(length, float(np.linalg.norm(b.position - a.position)) * (1 + 1e-9))
     sag = weight if sag is None else sag
-    if hangs(scaling) if chain is None else chain:
-        curve = catenary(a, b, length, sag if sag.any() else perpendicular(b - a))
+    if chain and np.linalg.norm(weight) * length**3 > HEAVY:
+        down = sag if sag.any() else perpendicular(b.position - a.position)
+        curve = catenary(a.position, b.position, length, down)
     else:
-        curve = hermite(a, orientation(start), b, orientation(end), length, bulge=sag)
-    position, tangent = curve.at(arc_length * curve.length)
-    lean = LEAN * np.sin(np.pi * arc_length) ** 2
+        curve = hermite(a.position, a.tangent, b.position, b.tangent, length, bulge=sag)
+    share = (arc_length - a.arc_length) / (b.arc_length - a.arc_length)
+    position, tangent = curve.at(share * curve.length)
+    lean = LEAN * length * np.sin(np.pi * share) ** 2
     return position + np.outer(lean, _sideways(position)), tangent
 
 
@@ -107,7 +133,7 @@ def _hanging(origin, tangent, weight, arc_length):
     tangent = down if tangent is None else tangent
     reach = 2 / max(ratio, 1e-3) ** (1 / 3)
     turn = rotation.logarithm(rotation.shortest_arc(tangent, down))
-    fine = np.linspace(0, 1, 401)
+    fine = np.linspace(0, max(arc_length.max(initial=0.0), 1e-9), 401)
     share = 1 - np.exp(-fine / reach)
     tangents = rotation.rotate(rotation.exponential(np.outer(share, turn)), tangent)
     middle = (tangents[1:] + tangents[:-1]) / 2 * np.diff(fine)[:, None]

@@ -14,7 +14,8 @@ from .element import body, conjugate, multiply, rotate
 
 def element_block(scheme, structure, full) -> ca.Function:
     """(q and strains, h, stiffness, natural, weight, λ_f, λ of the pose gap) → over q and strains: Hessian of
-    an element's part of the Lagrangian, and Jacobian (7, …) of the pose that it reaches.
+    an element's part of the Lagrangian, and Jacobian (7, …) of the pose that it reaches. Where element lengths are
+    unknowns, h is a share of the length of the stretch, which comes last of the strains.
 
     ``full`` completes the strains that the model keeps to (κ, v)."""
     size = len(structure.strains)
@@ -24,30 +25,34 @@ def element_block(scheme, structure, full) -> ca.Function:
     first = ca.SX.sym("e0", size)
     last = ca.SX.sym("e1", size) if scheme.STRAIN_IS_STATE else first
     strains = ca.vertcat(first, last) if scheme.STRAIN_IS_STATE else first
+    step = h
+    if structure.slides:
+        stretch = ca.SX.sym("l")
+        strains, step = ca.vertcat(strains, stretch), h * stretch
 
-    # λ·(R D) + h λ_f w·(R M) + λ_q·(q ∘ E) = k(q)·B(z), with B = (D, M, E) in the frame of the node.
+    # λ·(R D) + λ_f w·(R h M) + λ_q·(q ∘ E) = k(q)·B(z), with B = (D, h M, E) in the frame of the node.
     weights = ca.vertcat(
         rotate(conjugate(q), gap[:3]),
-        factor * h * rotate(conjugate(q), weight),
+        factor * rotate(conjugate(q), weight),
         multiply(conjugate(q), gap[3:]),
     )
-    k, z, b = ca.SX.sym("k", 10), ca.SX.sym("z", 10), ca.SX.sym("b", 10)
+    k, z, b = ca.SX.sym("k", 10), ca.SX.sym("z", 11), ca.SX.sym("b", 10)
     displacement, turned, mean = body(z[:3], z[3:6], z[6:9], z[9])
-    seen = ca.vertcat(displacement, mean, turned)
+    seen = ca.vertcat(displacement, z[10] * mean, turned)
     curved, slope = ca.hessian(-ca.dot(k, seen), z)
-    screw = ca.vertcat(*scheme.screw(h, full(first, natural), full(last, natural)))
+    screw = ca.vertcat(*scheme.screw(step, full(first, natural), full(last, natural)))
     # |θ|² as a variable of its own: the power series are then differentiated once, along it.
-    screw = ca.vertcat(screw, ca.dot(screw[:3], screw[:3]))
+    screw = ca.vertcat(screw, ca.dot(screw[:3], screw[:3]), step)
     values = [k, z], [weights, screw]
     curved, slope, lead, seen = ca.substitute([curved, slope, ca.jacobian(seen, z), seen], *values)
     along = ca.jacobian(screw, strains)
-    g = ca.SX.sym("g", 10)
+    g = ca.SX.sym("g", 11)
     bent = ca.substitute(ca.hessian(ca.dot(g, screw), strains)[0], g, slope)
     turning = ca.substitute(ca.hessian(-ca.dot(weights, b), q)[0], b, seen)
     mixed = -along.T @ (lead.T @ ca.jacobian(weights, q))
     kept = list(structure.strains)
     rest = ca.vertcat(natural, 0, 0, 0)[kept]
-    elastic = scheme.elastic_energy(h, stiffness[kept], first - rest, last - rest)
+    elastic = scheme.elastic_energy(step, stiffness[kept], first - rest, last - rest)
     stiff = ca.hessian(factor * ca.sum1(elastic), strains)[0]
     stretched = along.T @ curved @ along + bent + stiff
     block = ca.triu2symm(ca.triu(ca.blockcat([[turning, mixed.T], [mixed, stretched]])))

@@ -5,19 +5,34 @@ import numpy as np
 
 from ..geometry import rotation
 from .nlp import SCHEMES, Nlp, pack
-from .shape import Shape
+from .shape import Joint, Shape
 
 
 def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
     """Decision vector of a shape whose nodes are the program's."""
-    kept = list(nlp.structure.strains)
+    structure = nlp.structure
+    kept = list(structure.strains)
     strain = shape.strain[:, kept]
-    nodes = np.hstack([shape.position, shape.quaternion])
-    if SCHEMES[nlp.structure.scheme].STRAIN_IS_STATE:
-        nodes, controls = np.hstack([nodes, strain]), strain[1:]
-    else:
-        controls = (strain[1:] + strain[:-1]) / 2
-    return np.concatenate([np.hstack([nodes[:-1], controls]).ravel(), nodes[-1]])
+    nodes = [shape.position, shape.quaternion]
+    continuous = SCHEMES[structure.scheme].STRAIN_IS_STATE
+    controls = list(strain[1:] if continuous else (strain[1:] + strain[:-1]) / 2)
+    if continuous:
+        nodes.append(strain)
+    ends = [0, *structure.joints, structure.elements]
+    places = shape.arc_length[ends]
+    if structure.slides:
+        stretch = np.searchsorted(structure.joints, np.arange(structure.elements + 1), "left")
+        nodes += [np.diff(places)[stretch][:, None], places[stretch][:, None]]
+    for j, joint in enumerate(shape.joints):
+        first = joint.strain[kept]
+        if not continuous:
+            controls[joint.node] = (first + strain[joint.node + 1]) / 2
+            first = first[:0]
+        length = np.diff(places)[j + 1 : j + 2] if structure.slides else first[:0]
+        controls[joint.node] = np.concatenate([first, controls[joint.node], length])
+    nodes = np.hstack(nodes)
+    stages = [part for pair in zip(nodes, controls, strict=False) for part in pair]
+    return np.concatenate([*stages, nodes[-1]])
 
 
 def multipliers(nlp: Nlp, shape: Shape) -> np.ndarray:
@@ -32,33 +47,57 @@ def multipliers(nlp: Nlp, shape: Shape) -> np.ndarray:
     return lam
 
 
+def places(nlp: Nlp, steps, x):
+    """Arc length (n+1,), position (n+1, 3) and unit quaternion (n+1, 4) of the nodes of a decision vector, from the
+    element lengths that its program was given."""
+    structure, states = nlp.structure, x[nlp.states]
+    quaternion = states[:, 3:7] / np.linalg.norm(states[:, 3:7], axis=1)[:, None]
+    if structure.slides:
+        ends = [0, *structure.joints, structure.elements]
+        steps = np.concatenate(
+            [
+                steps[a:b] / steps[a:b].sum() * states[b, -2]
+                for a, b in zip(ends, ends[1:], strict=False)
+            ]
+        )
+    arc_length = np.concatenate([[0.0], np.cumsum(steps)])
+    arc_length[-1] = 1.0
+    return arc_length, states[:, :3], quaternion
+
+
 def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
     """Nodes, internal forces and moments of a solved program.
 
     With the gap r_{k+1} − F, its multipliers are the internal force n at node k+1, and, as a turn δφ changes a
-    quaternion by ½ δφ ∘ q, the moment is m·e = ½ λ·(e ∘ q). At the first node both follow from the balance of the
-    first element. Curvature at the nodes is that of the moment there (Rᵀm = K(κ − κ⁰)).
+    quaternion by ½ δφ ∘ q, the moment is m·e = ½ λ·(e ∘ q). At the first node of a stretch both follow from the
+    balance of its first element. Curvature at the nodes is that of the moment there (Rᵀm = K(κ − κ⁰)).
     """
-    states, _ = nlp.split(x)
-    nodes = np.array([state[:7] for state in states])
-    position, quaternion = nodes[:, :3], nodes[:, 3:]
-    quaternion = quaternion / np.linalg.norm(quaternion, axis=1)[:, None]
+    structure = nlp.structure
+    parameters = pack(structure, values, steps)
+    arc_length, position, quaternion = places(nlp, steps, x)
     weight = values["weight"]
-    rows = np.array(nlp.gaps)[:, None] + np.arange(7)
-    gap = lam[rows]
-    force = np.vstack([gap[0, :3] + steps[0] * weight, gap[:, :3]])
+    gap = lam[np.array(nlp.gaps)[:, None] + np.arange(7)]
+    force = np.vstack([np.zeros(3), gap[:, :3]])
     moment = np.einsum("kij,kj->ki", _spins(quaternion[1:]), gap[:, 3:]) / 2
-    mean = nlp.first_mean(x, pack(values, steps)).full().ravel()
-    first = (
-        moment[0]
-        + rotation.cross(position[1] - position[0], force[1])
-        + rotation.cross(mean, weight) * steps[0]
+    moment = np.vstack([np.zeros(3), moment])
+    firsts = [0, *structure.joints]
+    lengths = np.diff(arc_length)[firsts][:, None]
+    means = nlp.mean_function(x, parameters).full().T
+    beyond = [node + 1 for node in firsts]
+    leaving = force[beyond] + lengths * weight
+    turning = (
+        moment[beyond]
+        + rotation.cross(position[beyond] - position[firsts], force[beyond])
+        + rotation.cross(means, weight) * lengths
     )
-    moment = np.vstack([first, moment])
-    arc_length = np.concatenate([[0.0], np.cumsum(steps)])
-    arc_length[-1] = 1.0
-    strain = strains(nlp.structure, values, quaternion, force, moment)
-    return Shape(arc_length, position, quaternion, strain, force, moment)
+    force[0], moment[0] = leaving[0], turning[0]
+    strain = strains(structure, values, quaternion, force, moment)
+    after = strains(structure, values, quaternion[firsts], leaving, turning)
+    joints = tuple(
+        Joint(node, after[j], force[node] - leaving[j], moment[node] - turning[j])
+        for j, node in enumerate(structure.joints, start=1)
+    )
+    return Shape(arc_length, position, quaternion, strain, force, moment, joints)
 
 
 def strains(structure, values, quaternion, force, moment) -> np.ndarray:

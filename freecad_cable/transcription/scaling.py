@@ -11,7 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry import rotation
-from ..problem import Clamped, Free, Scene, Swivel
+from ..problem import Clamp, Clamped, Free, Ring, Scene
+from ..problem.reach import play
+from ..problem.reduce import orientation
+from .shape import Shape
 
 
 @dataclass(frozen=True)
@@ -29,8 +32,8 @@ class Scaling:
         stiffness = float(np.sqrt(np.prod(rod.bending_stiffness)))
         ratio = float(np.linalg.norm(scene.weight)) * rod.length**3 / stiffness
         force = stiffness / rod.length**2 * (1 + ratio)
-        held = scene.end if isinstance(scene.start, Free) else scene.start
-        return cls(rod.length, force, held.position, ratio)
+        held = [h for h in (scene.start, scene.end, *scene.supports) if not isinstance(h, Free)]
+        return cls(rod.length, force, held[0].position, ratio)
 
     @property
     def energy(self) -> float:
@@ -51,29 +54,47 @@ class Scaling:
             ]
         )
 
-    def parameters(self, scene: Scene, start_frame, end_frame, load=1.0) -> dict:
-        """Values of ``nlp.PARAMETERS``. The frames (4,) stand in where an end prescribes none;
-        ``load`` scales gravity (for continuation)."""
+    def parameters(self, scene: Scene, start: Shape, load=1.0, reach=1.0) -> dict:
+        """Values of ``nlp.PARAMETERS`` and a dict for each support. The frames of ``start`` stand in where the scene
+        prescribes none; ``load`` scales gravity and ``reach`` the distances of what holds the cable (for
+        continuation)."""
+        frames = start.quaternion
         return {
             "stiffness": self.stiffness(scene.rod),
             "natural": scene.rod.natural_curvature * self.length,
             "weight": load * scene.weight * self.length / self.force,
-            "start_position": self._position(scene.start),
-            "start_quaternion": frame(scene.start, start_frame),
-            "end_position": self._position(scene.end),
-            "end_quaternion": frame(scene.end, end_frame),
+            "start_position": reach * self._position(scene.start),
+            "start_quaternion": frame(scene.start, frames[0]),
+            "end_position": reach * self._position(scene.end),
+            "end_quaternion": frame(scene.end, frames[-1]),
+            "supports": [
+                {
+                    "position": reach * self._position(support),
+                    "quaternion": frame(support, frames[joint.node]),
+                    "play": reach * self.play(support, scene.rod),
+                    "arc_length": start.arc_length[joint.node],
+                }
+                for support, joint in zip(scene.supports, start.joints, strict=True)
+            ],
         }
+
+    def play(self, support, rod) -> float:
+        """Play of a support without units."""
+        return play(support, rod) / self.length
 
     def _position(self, end):
         return np.zeros(3) if isinstance(end, Free) else self.point(end.position)
 
 
 def frame(end, otherwise):
-    """Quaternion (4,) of an end: its own, one along its tangent, or the one given."""
-    if isinstance(end, Clamped):
+    """Quaternion (4,) of an end or a support: its own, one along its tangent or axis, or the one given."""
+    if isinstance(end, (Clamped, Clamp)):
         return end.quaternion
-    if isinstance(end, Swivel):
-        # Nearest to the given frame: so the roll, which is free, starts where the guess has it.
-        turn = rotation.shortest_arc(rotation.tangent(otherwise), end.tangent)
-        return rotation.multiply(turn, otherwise)
-    return otherwise
+    if isinstance(end, Ring):
+        return rotation.from_tangent(end.axis)
+    tangent = orientation(end)
+    if tangent is None:
+        return otherwise
+    # Nearest to the given frame: so the roll, which is free, starts where the guess has it.
+    turn = rotation.shortest_arc(rotation.tangent(otherwise), tangent)
+    return rotation.multiply(turn, otherwise)

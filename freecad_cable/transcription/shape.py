@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A rod's nodes without units: what guesses, solutions and meshes hand to each other."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,8 +9,22 @@ from ..geometry import rotation
 
 
 @dataclass(frozen=True, eq=False)
+class Joint:
+    """A node at a support, beyond which loads and strain differ from those before it."""
+
+    node: int
+    strain: np.ndarray
+    """(6,) beyond the node"""
+    force: np.ndarray | None = None
+    """(3,) what the support exerts on the rod; None for a guess"""
+    moment: np.ndarray | None = None
+    """(3,) likewise, about the node"""
+
+
+@dataclass(frozen=True, eq=False)
 class Shape:
-    """Nodes of a rod of length 1. ``force`` and ``moment`` are None for a guess."""
+    """Nodes of a rod of length 1. ``force`` and ``moment`` are None for a guess. At a joint, strain, force and moment
+    are those just before it."""
 
     arc_length: np.ndarray
     """(n+1,) from 0 to 1"""
@@ -24,28 +38,95 @@ class Shape:
     """(n+1, 3) what the part beyond the node exerts on the part before it"""
     moment: np.ndarray | None = None
     """(n+1, 3)"""
+    joints: tuple[Joint, ...] = ()
 
     @classmethod
-    def from_frames(cls, arc_length, position, quaternion):
-        """Nodes with curvature from the turn between neighbouring frames."""
+    def from_frames(cls, arc_length, position, quaternion, joints=()):
+        """Nodes with curvature from the turn between neighbouring frames; ``joints`` are nodes."""
         quaternion = rotation.continuous(quaternion)
         turns = rotation.logarithm(
             rotation.multiply(rotation.conjugate(quaternion[:-1]), quaternion[1:])
         )
         middle = turns / np.diff(arc_length)[:, None]
         nodes = np.vstack([middle[:1], (middle[1:] + middle[:-1]) / 2, middle[-1:]])
-        return cls(arc_length, position, quaternion, np.hstack([nodes, np.zeros_like(nodes)]))
+        beyond = []
+        for node in joints:
+            nodes[node] = middle[node - 1]
+            beyond.append(Joint(node, np.append(middle[node], np.zeros(3))))
+        strain = np.hstack([nodes, np.zeros_like(nodes)])
+        return cls(arc_length, position, quaternion, strain, joints=tuple(beyond))
 
     @property
     def steps(self) -> np.ndarray:
         """(n,) element lengths"""
         return np.diff(self.arc_length)
 
+    @property
+    def stretches(self) -> tuple[int, ...]:
+        """Elements between one joint and the next."""
+        nodes = [0, *(joint.node for joint in self.joints), len(self.steps)]
+        return tuple(b - a for a, b in zip(nodes, nodes[1:], strict=False))
+
+    def parts(self) -> list["Shape"]:
+        """The stretches, each with what is true between its own first and last node."""
+        if not self.joints:
+            return [self]
+        nodes = [0, *(joint.node for joint in self.joints), len(self.steps)]
+        return [
+            self._part(a, b, joint)
+            for a, b, joint in zip(nodes, nodes[1:], (None, *self.joints), strict=False)
+        ]
+
+    def _part(self, a, b, joint):
+        def cut(values, change):
+            if values is None or change is None:
+                return None if values is None else values[a : b + 1]
+            values = values[a : b + 1].copy()
+            values[0] = change(values[0])
+            return values
+
+        known = joint is not None and joint.force is not None
+        return Shape(
+            self.arc_length[a : b + 1],
+            self.position[a : b + 1],
+            self.quaternion[a : b + 1],
+            cut(self.strain, None if joint is None else lambda _: joint.strain),
+            cut(self.force, (lambda n: n - joint.force) if known else None),
+            cut(self.moment, (lambda m: m - joint.moment) if known else None),
+        )
+
     def on(self, arc_length) -> "Shape":
-        """The same rod with nodes at other arc lengths; forces and moments go along."""
+        """The same rod with nodes at other arc lengths, those of the joints among them; forces and moments go
+        along."""
         if len(arc_length) == len(self.arc_length) and np.array_equal(arc_length, self.arc_length):
             return self
+        places = [self.arc_length[joint.node] for joint in self.joints]
+        nodes = [0, *np.searchsorted(arc_length, np.array(places) - 1e-12), len(arc_length) - 1]
+        parts = [
+            part._between_joints(arc_length[a : b + 1])
+            for part, a, b in zip(self.parts(), nodes, nodes[1:], strict=False)
+        ]
 
+        def joined(name):
+            values = [getattr(part, name) for part in parts]
+            if values[0] is None:
+                return None
+            return np.vstack([values[0], *(later[1:] for later in values[1:])])
+
+        return Shape(
+            arc_length,
+            joined("position"),
+            joined("quaternion"),
+            joined("strain"),
+            joined("force"),
+            joined("moment"),
+            tuple(
+                replace(joint, node=int(node))
+                for joint, node in zip(self.joints, nodes[1:-1], strict=True)
+            ),
+        )
+
+    def _between_joints(self, arc_length) -> "Shape":
         def linear(values):
             if values is None:
                 return None

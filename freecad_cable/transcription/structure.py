@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 STRAINS = ("κ1", "κ2", "τ", "γ1", "γ2", "ε")
 """Bending about d1 and d2, twist, shear along d1 and d2, stretch."""
 
@@ -12,13 +14,33 @@ class Structure:
     """Key of a transcription. Two scenes with equal structures differ in parameters only."""
 
     scheme: str
-    elements: int
+    stretches: tuple[int, ...]
+    """elements between one support and the next"""
     start: str
     end: str
     strains: tuple[int, ...]
     """indices into STRAINS of what the model keeps; the others stay at their natural value"""
+    supports: tuple[str, ...] = ()
+    """``clamp``, ``sleeve``, ``ring`` or ``eyelet`` (a ring without play)"""
+    sliding: tuple[bool, ...] = ()
+    """of each support, whether its arc length is an unknown"""
+
+    @property
+    def elements(self) -> int:
+        return sum(self.stretches)
+
+    @property
+    def joints(self) -> tuple[int, ...]:
+        """Nodes of the supports."""
+        return tuple(int(node) for node in np.cumsum(self.stretches)[:-1])
+
+    @property
+    def slides(self) -> bool:
+        """Whether element lengths are unknowns."""
+        return any(self.sliding)
 
     @property
     def rolls(self) -> bool:
-        """Whether nothing determines the roll of the frames: no torsion, and no end clamped."""
-        return 2 not in self.strains and "clamped" not in (self.start, self.end)
+        """Whether nothing determines the roll of the frames: no torsion, and nothing clamped."""
+        clamped = "clamped" in (self.start, self.end) or "clamp" in self.supports
+        return 2 not in self.strains and not clamped

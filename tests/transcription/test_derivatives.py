@@ -9,11 +9,15 @@ from freecad_cable.transcription.nlp import build
 from freecad_cable.transcription.structure import Structure
 
 STRUCTURES = [
-    Structure("magnus", 4, "clamped", "clamped", (0, 1, 2)),
-    Structure("magnus", 3, "free", "clamped", (0, 1, 2, 3, 4, 5)),
-    Structure("magnus", 3, "pinned", "pinned", (0, 1, 5)),
-    Structure("helix", 4, "pinned", "swivel", (0, 1)),
-    Structure("helix", 3, "swivel", "pinned", (0, 1, 2, 5)),
+    Structure("magnus", (4,), "clamped", "clamped", (0, 1, 2)),
+    Structure("magnus", (3,), "free", "clamped", (0, 1, 2, 3, 4, 5)),
+    Structure("magnus", (3,), "pinned", "pinned", (0, 1, 5)),
+    Structure("helix", (4,), "pinned", "swivel", (0, 1)),
+    Structure("helix", (3,), "swivel", "pinned", (0, 1, 2, 5)),
+    Structure("magnus", (2, 2), "clamped", "swivel", (0, 1), ("sleeve",), (False,)),
+    Structure("magnus", (2, 1, 2), "pinned", "free", (0, 1, 2), ("ring", "sleeve"), (True, False)),
+    Structure("magnus", (2, 2), "clamped", "clamped", (0, 1, 2, 5), ("clamp",), (True,)),
+    Structure("helix", (1, 2), "clamped", "clamped", (0, 1, 2), ("eyelet",), (True,)),
 ]
 
 
@@ -40,11 +44,10 @@ def test_the_quaternion_keeps_its_norm():
     nlp = build(STRUCTURES[0])
     random = np.random.default_rng(2)
     x = random.normal(size=nlp.x.numel()) * 0.5
-    states, _ = nlp.split(x)
-    q = states[0][3:7]
+    q = x[nlp.states[0, 3:7]]
     x[3:7] = q / np.linalg.norm(q)
     p = np.abs(random.normal(size=nlp.p.numel()))
     gaps = ca.Function("g", [nlp.x, nlp.p], [nlp.g])(x, p).full().ravel()
-    reached = states[1][3:7] - gaps[nlp.gaps[0] + 3 : nlp.gaps[0] + 7]
+    reached = x[nlp.states[1, 3:7]] - gaps[nlp.gaps[0] + 3 : nlp.gaps[0] + 7]
     # The power series of the turn are cut at 1e-12 for one radian.
     assert np.linalg.norm(reached) == pytest.approx(1, abs=1e-9)

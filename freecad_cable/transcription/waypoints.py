@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a scene holds its cable, with an arc length for each place: given, or a first guess where the cable slides."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..problem import Pinned, Ring, Scene
+from ..problem.reduce import orientation
+from .scaling import Scaling
+
+BEYOND = 1.05
+"""Length to chord of a first guess where a free end leaves it open."""
+
+
+@dataclass(frozen=True)
+class Waypoint:
+    """A held place without units; ``tangent`` (3,) None where the scene gives none."""
+
+    arc_length: float
+    position: np.ndarray
+    tangent: np.ndarray | None
+
+
+def waypoints(scene: Scene, scaling: Scaling) -> list[Waypoint]:
+    """All places that hold the cable, in order."""
+    places, positions, tangents = [], [], []
+
+    def add(place, position, tangent):
+        places.append(place)
+        positions.append(scaling.point(position))
+        tangents.append(tangent)
+
+    if isinstance(scene.start, Pinned):
+        add(0.0, scene.start.position, orientation(scene.start))
+    for support in scene.supports:
+        place = np.nan if support.slides else support.arc_length / scaling.length
+        add(place, support.position, orientation(support))
+    if isinstance(scene.end, Pinned):
+        add(1.0, scene.end.position, orientation(scene.end))
+    positions, places = np.array(positions), _spread(np.array(places), np.array(positions))
+    for i, support in enumerate(scene.supports, start=isinstance(scene.start, Pinned)):
+        if isinstance(support, Ring):
+            tangents[i] = _through(positions, i, support.axis)
+    return [Waypoint(*each) for each in zip(places, positions, tangents, strict=True)]
+
+
+def breaks(scene: Scene, scaling: Scaling) -> tuple[float, ...]:
+    """Arc lengths of the supports."""
+    first = isinstance(scene.start, Pinned)
+    found = waypoints(scene, scaling)[first : first + len(scene.supports)]
+    return tuple(float(each.arc_length) for each in found)
+
+
+def _spread(places, positions):
+    """Arc lengths for those that slide (NaN), in proportion to the distances between them."""
+    chords = np.linalg.norm(np.diff(positions, axis=0), axis=1) + 1e-9
+    way = np.concatenate([[0.0], np.cumsum(chords)])
+    known = np.flatnonzero(np.isfinite(places))
+    first, last = known[0], known[-1]
+    spread = np.interp(way, way[known], places[known])
+    before, after = slice(0, first), slice(last + 1, None)
+    for beyond, origin, there, sign in (
+        (before, first, places[first], -1),
+        (after, last, 1 - places[last], 1),
+    ):
+        away = np.abs(way[beyond] - way[origin])
+        if away.size:
+            factor = min(BEYOND, (1 + there / away.max()) / 2)
+            spread[beyond] = places[origin] + sign * factor * away
+    return spread
+
+
+def _through(positions, i, axis):
+    """Direction in which a cable passes a ring: from its neighbour before to the one after."""
+    before, after = positions[max(i - 1, 0)], positions[min(i + 1, len(positions) - 1)]
+    way = after - before
+    length = np.linalg.norm(way)
+    return way / length if length > 1e-9 else axis
