@@ -28,12 +28,18 @@ class Scene:
     """of ``Obstacle``"""
     clearance: float = 0.0
     """[m], between the surface of the cable and obstacles"""
+    enforce_bend_radius: bool = False
+    """whether the cable is formed so that it nowhere bends more sharply than ``rod.min_bend_radius``"""
     options: SolveOptions = SolveOptions()
 
     def __post_init__(self):
         object.__setattr__(self, "gravity", vector("gravity", self.gravity))
         object.__setattr__(self, "supports", tuple(self.supports))
         number("clearance", self.clearance, at_least=0, unit="m")
+        if self.enforce_bend_radius and self.rod.min_bend_radius is None:
+            raise ProblemError(
+                "cable.min_bend_radius", "is not given, so it cannot be enforced; give it"
+            )
         self._check_held()
         check_reach(self)
 

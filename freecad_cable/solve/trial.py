@@ -10,7 +10,7 @@ import numpy as np
 from ..errors import SolverMissingError
 from ..problem import Clamp, Ring, Scene
 from ..problem.reduce import Model
-from ..transcription import layout
+from ..transcription import contact, layout
 from ..transcription.nlp import Nlp, build, pack
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
@@ -38,6 +38,8 @@ class Trial:
     parameters: np.ndarray
     raw: backend.RawSolution
     shape: Shape
+    measured: float | None = None
+    """error found by halving the mesh, where bounds act and the strong form does not hold as it is"""
 
     @cached_property
     def energies(self) -> np.ndarray:
@@ -51,9 +53,21 @@ class Trial:
     @cached_property
     def error(self) -> float:
         """Estimate of the largest position error of a node, relative to the length."""
+        if self.measured is not None:
+            return self.measured
         structure = self.nlp.structure
         correction = strong_form.correction(self.shape, self.values, structure)
         return float(np.linalg.norm(correction[:, :3], axis=1).max())
+
+    @cached_property
+    def contact_forces(self) -> np.ndarray:
+        """(n+1, contacts, 3) what the feature of each contact row exerts on each node, without units."""
+        rows, features = self.nlp.contact_rows, self.values["features"]
+        push = np.where(rows >= 0, np.maximum(-self.raw.multipliers[rows], 0.0), 0.0)
+        push[push < stability.ACTING] = 0.0
+        nodes = self.shape.position
+        slopes = [contact.slope(nodes, features[:, i]) for i in range(rows.shape[1])]
+        return push[..., None] * np.stack(slopes, axis=1)
 
     @cached_property
     def _second_variation(self):
@@ -112,7 +126,7 @@ class Problem:
             )
         return present
 
-    def structure(self, stretches) -> Structure:
+    def structure(self, stretches, contacts=0) -> Structure:
         scene = self.scene
         return Structure(
             self.scheme,
@@ -122,6 +136,8 @@ class Problem:
             self.model.strains,
             tuple(self._support_kind(support) for support in scene.supports),
             tuple(support.slides for support in scene.supports),
+            contacts,
+            scene.enforce_bend_radius,
         )
 
     def _support_kind(self, support):
@@ -130,14 +146,18 @@ class Problem:
             return "eyelet" if tight else "ring"
         return "clamp" if isinstance(support, Clamp) else "sleeve"
 
-    def solve(self, start: Shape, *, load=1.0, reach=1.0, fallback=True) -> Trial | None:
+    def solve(
+        self, start: Shape, *, load=1.0, reach=1.0, fallback=True, features=None
+    ) -> Trial | None:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
 
         ``load`` scales gravity and ``reach`` the distance of the ends: continuation goes through them, and
-        rather takes a shorter step than fall back to the slower solver.
+        rather takes a shorter step than fall back to the slower solver. ``features`` (n+1, contacts, 12) are what
+        the nodes keep away from (see ``transcription.contact``).
         """
-        nlp = self._built(start)
+        nlp = self._built(start, 0 if features is None else features.shape[1])
         values = self.scaling.parameters(self.scene, start, load, reach)
+        values["features"] = features
         parameters = pack(nlp.structure, values, start.steps)
         x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start)
         for name in self.solvers if fallback else self.solvers[:1]:
@@ -152,8 +172,8 @@ class Problem:
                 return Trial(nlp, values, parameters, raw, shape)
         return None
 
-    def _built(self, start):
+    def _built(self, start, contacts):
         begin = time.perf_counter()
-        nlp = build(self.structure(start.stretches))
+        nlp = build(self.structure(start.stretches, contacts))
         self.build_time += time.perf_counter() - begin
         return nlp

@@ -93,11 +93,31 @@ def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
     force[0], moment[0] = leaving[0], turning[0]
     strain = strains(structure, values, quaternion, force, moment)
     after = strains(structure, values, quaternion[firsts], leaving, turning)
+    if structure.bend_limit:
+        # Where the limit acts, the moment no longer tells the curvature.
+        strain, after = _read_strains(nlp, values, x)
     joints = tuple(
         Joint(node, after[j], force[node] - leaving[j], moment[node] - turning[j])
         for j, node in enumerate(structure.joints, start=1)
     )
     return Shape(arc_length, position, quaternion, strain, force, moment, joints)
+
+
+def _read_strains(nlp, values, x):
+    """Strains (n+1, 6) of the nodes, and (stretches, 6) of the first nodes of stretches, from a decision vector."""
+    structure, kept = nlp.structure, list(nlp.structure.strains)
+    firsts, size = [0, *structure.joints], len(nlp.structure.strains)
+    nx = nlp.states.shape[1]
+    controls = nlp.states[:-1, :1] + nx + np.arange(size)
+    natural = np.append(values["natural"], np.zeros(3))
+    nodes, beyond = (np.tile(natural, (count, 1)) for count in (len(nlp.states), len(firsts)))
+    if SCHEMES[structure.scheme].STRAIN_IS_STATE:
+        nodes[:, kept] = x[nlp.states[:, 7 : 7 + size]]
+        beyond[:, kept] = x[controls[firsts]]
+    else:
+        nodes[1:, kept] = x[controls]
+        nodes[0], beyond[:, kept] = nodes[1], x[controls[firsts]]
+    return nodes, beyond
 
 
 def strains(structure, values, quaternion, force, moment) -> np.ndarray:

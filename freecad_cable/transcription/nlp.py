@@ -38,6 +38,8 @@ class Nlp:
     """of g, in x"""
     equality: tuple[bool, ...]
     gaps: tuple[int, ...]
+    contact_rows: np.ndarray
+    """(n+1, contacts) rows; −1 at nodes that are held"""
     held: tuple[range, ...]
     stage_sizes: tuple[tuple[int, int, int], ...]
     """(nx, nu, ng) of each stage"""
@@ -85,7 +87,8 @@ def pack(structure, values, steps):
         steps = steps / np.repeat(np.add.reduceat(steps, starts), structure.stretches)
     named = [np.ravel(values[name]) for name in PARAMETERS]
     held = [np.ravel(each[name]) for each in values["supports"] for name in supports.PARAMETERS]
-    return np.concatenate([*named, *held, steps])
+    features = [np.ravel(values["features"])] if structure.contacts else []
+    return np.concatenate([*named, *held, steps, *features])
 
 
 @lru_cache(maxsize=64)
@@ -106,6 +109,12 @@ def build(structure: Structure) -> Nlp:
         jacobian=ca.vertcat(*writer.jacobian),
         equality=tuple(writer.equality),
         gaps=tuple(writer.gaps),
+        contact_rows=np.array(
+            [
+                np.full(structure.contacts, -1) if rows is None else rows
+                for rows in writer.contact_rows
+            ]
+        ),
         held=tuple(writer.held_rows),
         stage_sizes=tuple(writer.sizes),
         strain_of=writer.strain_of(),

@@ -67,6 +67,7 @@ class Scaling:
             "start_quaternion": frame(scene.start, frames[0]),
             "end_position": reach * self._position(scene.end),
             "end_quaternion": frame(scene.end, frames[-1]),
+            "curvature_limit": self.length / (scene.rod.min_bend_radius or self.length),
             "supports": [
                 {
                     "position": reach * self._position(support),

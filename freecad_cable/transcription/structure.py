@@ -24,6 +24,10 @@ class Structure:
     """``clamp``, ``sleeve``, ``ring`` or ``eyelet`` (a ring without play)"""
     sliding: tuple[bool, ...] = ()
     """of each support, whether its arc length is an unknown"""
+    contacts: int = 0
+    """features of obstacles that each node keeps away from"""
+    bend_limit: bool = False
+    """whether the curvature is bounded"""
 
     @property
     def elements(self) -> int:

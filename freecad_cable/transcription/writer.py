@@ -15,7 +15,7 @@ The gap keeps the sign that makes its multipliers the internal force and (throug
 import casadi as ca
 import numpy as np
 
-from . import ends, helix, magnus, supports
+from . import contact, ends, helix, magnus, supports
 from .element import step
 from .hessian import element_block
 
@@ -29,6 +29,7 @@ PARAMETERS = {
     "start_quaternion": 4,
     "end_position": 3,
     "end_quaternion": 4,
+    "curvature_limit": 1,
 }
 """Sizes of the parameters beside those of the supports and the element lengths, all without units (see ``scaling``)."""
 
@@ -50,6 +51,8 @@ class Writer:
             for j in range(len(structure.supports))
         ]
         self.steps = ca.SX.sym("h", structure.elements)
+        features = structure.contacts * (structure.elements + 1)
+        self.features = ca.SX.sym("feature", contact.PARAMETERS, features)
         self.factor = ca.SX.sym("lam_f")
         self.block = element_block(self.scheme, structure, self.full)
         own = self.size if self.scheme.STRAIN_IS_STATE else 0
@@ -62,14 +65,14 @@ class Writer:
         self.width += self.state_size
         self.x, self.g, self.multipliers, self.equality = [], [], [], []
         self.hessian, self.jacobian, self.sizes, self.gaps = [], [], [], []
-        self.held_rows, self.means = [], []
+        self.held_rows, self.contact_rows, self.means = [], [], []
         self.energies = ca.SX.zeros(4)
         self.begin = 0
 
     @property
     def parameters(self):
         held = [symbol for each in self.supports for symbol in each.values()]
-        return ca.vertcat(*self.named.values(), *held, self.steps)
+        return ca.vertcat(*self.named.values(), *held, self.steps, self.features[:])
 
     def full(self, strain, unloaded):
         """(κ, v) from the strains that the model keeps."""
@@ -172,8 +175,14 @@ class Writer:
                 if not structure.sliding[j]:
                     equations.append(state[nx - 1] + state[nx - 2] - values["arc_length"])
                 bounds.append(own[-1] - SHORTEST)
-        hessian = ca.SX(own.numel(), own.numel())
         begin = len(self.equality)
+        gaps = self.gaps_to_obstacles(k, r)
+        ahead = ca.vertcat(*equations, *bounds).numel()
+        self.contact_rows.append(begin + ahead + np.arange(len(gaps)) if gaps else None)
+        bounds += gaps
+        if structure.bend_limit:
+            bounds += self.bends_left(k, own)
+        hessian = ca.SX(own.numel(), own.numel())
         for rows, equality in ((ca.vertcat(*equations), True), (ca.vertcat(*bounds), False)):
             if rows.numel():
                 self.add(rows, ca.jacobian(rows, own), equality)
@@ -182,6 +191,23 @@ class Writer:
         if k in self.held:
             self.held_rows.append(range(begin, len(self.equality)))
         return len(self.equality) - begin, hessian
+
+    def gaps_to_obstacles(self, k, r):
+        """Of a node that nothing holds: those that are held are where their holder says."""
+        structure, count = self.structure, self.structure.contacts
+        free = {0: structure.start == "free", structure.elements: structure.end == "free"}
+        if k in self.held or not free.get(k, True):
+            return []
+        return [contact.gap(r, self.features[:, k * count + i]) for i in range(count)]
+
+    def bends_left(self, k, own):
+        """About the curvature that is left to the limit, at every strain of a stage."""
+        nx, limit = self.state_size, self.named["curvature_limit"]
+        if self.scheme.STRAIN_IS_STATE:
+            places = [7, nx] if k in self.held else [7]
+        else:
+            places = [nx] if k < self.structure.elements else []
+        return [(limit - ca.sumsqr(own[i : i + 2]) / limit) / 2 for i in places]
 
     def write(self):
         state = ca.SX.sym("x0", self.state_size)

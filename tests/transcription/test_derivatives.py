@@ -18,6 +18,8 @@ STRUCTURES = [
     Structure("magnus", (2, 1, 2), "pinned", "free", (0, 1, 2), ("ring", "sleeve"), (True, False)),
     Structure("magnus", (2, 2), "clamped", "clamped", (0, 1, 2, 5), ("clamp",), (True,)),
     Structure("helix", (1, 2), "clamped", "clamped", (0, 1, 2), ("eyelet",), (True,)),
+    Structure("magnus", (1, 2), "free", "clamped", (0, 1), ("ring",), (True,), 2, True),
+    Structure("helix", (3,), "pinned", "free", (0, 1), contacts=1, bend_limit=True),
 ]
 
 

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rows that keep nodes away from obstacles.
+
+A feature of an obstacle (see ``problem.obstacles``) is a face, an edge or a corner, sharp or round; all are one quadric
+
+    g(r) = n·(r − c) + α |r − c|²/2 − β (a·(r − c))²/2 − d ≥ 0
+
+with n = 0 and α = β = 1/R about a line, α = 1/R and β = 0 about a point, d = R/2, R the distance to keep from it; and
+α = β = 0, d = R from a face. g is zero at the distance to keep, and near it grows as the distance does.
+"""
+
+import casadi as ca
+import numpy as np
+
+from ..problem.obstacles import FLAT, LINE
+
+PARAMETERS = 12
+"""c (3), n (3), a (3), α, β, d of one feature"""
+
+NONE = np.array([0.0] * 11 + [-1.0])
+"""Of a feature that is never in the way."""
+
+
+def gap(r, feature):
+    """g of a node from the column of a feature's parameters."""
+    offset = r - feature[:3]
+    about = ca.dot(feature[6:9], offset)
+    round_part = feature[9] * ca.dot(offset, offset) - feature[10] * about**2
+    return ca.dot(feature[3:6], offset) + round_part / 2 - feature[11]
+
+
+def parameters(nearest, keep) -> np.ndarray:
+    """(m, 12) of the features nearest to m points, ``keep`` [their unit] the distance to keep from the obstacle."""
+    flat, line = nearest.feature == FLAT, nearest.feature == LINE
+    distance = keep + nearest.radius
+    inverse = np.where(flat, 0.0, 1 / distance)
+    return np.column_stack(
+        [
+            nearest.center,
+            np.where(flat[:, None], nearest.direction, 0.0),
+            np.where(line[:, None], nearest.direction, 0.0),
+            inverse,
+            np.where(line, inverse, 0.0),
+            np.where(flat, keep, distance / 2),
+        ]
+    )
+
+
+def slope(r, features) -> np.ndarray:
+    """(m, 3) gradients of g at points (m, 3)."""
+    c, n, a = features[:, :3], features[:, 3:6], features[:, 6:9]
+    offset = r - c
+    about = np.einsum("ki,ki->k", a, offset)[:, None]
+    return n + features[:, 9:10] * offset - features[:, 10:11] * about * a
