@@ -59,7 +59,7 @@ def built(structure: Structure, name: str):
             "nx": nx,
             "nu": nu,
             "ng": ng,
-            "equality": list(nlp.equality),
+            "equality": nlp.equality.tolist(),
             "fatrop": {"print_level": 0, "tol": TOLERANCE, "max_iter": ITERATIONS},
         }
     else:
@@ -78,16 +78,25 @@ def _derivatives(nlp: Nlp, name: str) -> dict:
     """Our derivatives in place of those that CasADi would make, under the names and in the form that the
     plug-ins ask for."""
     inputs, names = [nlp.x, nlp.p, *nlp.multipliers], ["x", "p", "lam_f", "lam_g"]
+    slope = {"grad_f_x": nlp.gradient}
     if name == "ipopt":
-        outputs, titles = [ca.triu(nlp.hessian)], ["triu_hess_gamma_x_x"]
+        bent = {"triu_hess_gamma_x_x": ca.triu(nlp.hessian)}
+        slope = {"f": nlp.f} | slope
     else:
         # The plug-in's form has a gradient, which it never reads.
-        outputs, titles = [ca.SX(nlp.x.numel(), 1), nlp.hessian], ["grad_gamma_x", "hess_gamma_x_x"]
-    hessian = ca.Function("nlp_hess_l", inputs, outputs, names, titles)
-    jacobian = ca.Function(
-        "nlp_jac_g", inputs[:2], [nlp.g, nlp.jacobian], names[:2], ["g", "jac_g_x"]
-    )
-    return {"nlp_hess_l": hessian, "nlp_jac_g": jacobian}
+        bent = {"grad_gamma_x": ca.MX(nlp.x.numel(), 1), "hess_gamma_x_x": nlp.hessian}
+    rows = {"g": nlp.g, "jac_g_x": nlp.jacobian}
+
+    def function(title, count, outputs):
+        return ca.Function(
+            title, inputs[:count], list(outputs.values()), names[:count], list(outputs)
+        )
+
+    return {
+        "nlp_grad_f": function("nlp_grad_f", 2, slope),
+        "nlp_jac_g": function("nlp_jac_g", 2, rows),
+        "nlp_hess_l": function("nlp_hess_l", 4, bent),
+    }
 
 
 def first_use(structure: Structure, name: str) -> float:

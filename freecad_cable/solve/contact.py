@@ -151,6 +151,8 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
     deepest = PENETRATION * around_it.radius
     if not around_it.obstacles or around_it.between(trial.shape).min() >= -deepest:
         return trial
+    if problem.scene.options.elements is not None:
+        return _settled(problem, around_it, trial.shape, leaving=True)
     best, shape = None, trial.shape.on(_halved(trial.shape.arc_length))
     try:
         while len(shape.steps) <= FINEST:

@@ -16,7 +16,7 @@ from ..transcription.guess import guess, hangs, roll_mismatch, rolled
 from ..transcription.layout import places
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
-from . import mesh
+from . import contact, mesh
 from .continuation import continued, taut_chord
 from .trial import Problem, TimeUpError, Trial
 
@@ -37,6 +37,14 @@ DOUBTFUL_ROLL = 2.0
 
 def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
+    found = _free(problem, warm)
+    if found is None or not problem.scene.obstacles:
+        return found
+    return contact.around(problem, found)
+
+
+def _free(problem, warm):
+    """As if there were no obstacles."""
     elements = problem.scene.options.elements
     first = mesh.uniform(elements or mesh.COARSE, problem.breaks)
     found = None

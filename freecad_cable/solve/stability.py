@@ -21,27 +21,23 @@ PENALTY = 1e5
 ones prove less."""
 
 
-ACTING = 1e-6
-"""Multiplier, in units of force, above which a bound pushes: the solvers leave 1e-9 over the distance to it."""
-
-
 class SecondVariation:
     """Hessian and Jacobian of a converged program as dense blocks, one a stage, strains scaled by 1/√stiffness:
     then all elastic energies are alike, and one stiff in stretch or twist does not hide another that buckles."""
 
-    def __init__(self, nlp: Nlp, x, parameters, multipliers):
+    def __init__(self, nlp: Nlp, x, parameters, multipliers, acting):
+        """``acting`` (rows,): the rows that hold; the others are bounds that do not act."""
         values = nlp.second_variation(x, parameters, 1.0, multipliers)
         hessian, jacobian = (
             (*place, value.full().ravel()) for place, value in zip(nlp.places, values, strict=True)
         )
         self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
         softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])
-        self.scale = np.where(nlp.strain_of >= 0, softness[nlp.strain_of], 1.0)
+        self.scale = np.where(nlp.numbers.strain_of >= 0, softness[nlp.numbers.strain_of], 1.0)
         self.columns = np.concatenate([[0], np.cumsum(self.nx + self.nu)])
         self.gaps = np.append(self.nx[1:], 0)
         rows = np.concatenate([[0], np.cumsum(self.gaps + ng)])
-        acting = _acting(nlp, multipliers)[jacobian[0]]
-        jacobian = (*jacobian[:2], np.where(acting, jacobian[2], 0.0))
+        jacobian = (*jacobian[:2], np.where(acting[jacobian[0]], jacobian[2], 0.0))
         self.rows = self._blocks(*jacobian, rows, (self.gaps + ng).max())
         self.curvature = self._blocks(*hessian, self.columns, (self.nx + self.nu).max())
         self.sides = ng
@@ -126,9 +122,3 @@ class SecondVariation:
             rank = int(np.sum(np.abs(np.diag(r)) > 1e-10 * np.abs(r).max()))
             basis = basis @ q[:, rank:]
         return basis
-
-
-def _acting(nlp, multipliers):
-    """(rows,) whether a row holds: an equation, or a bound that pushes."""
-    multipliers = np.asarray(multipliers)
-    return np.array(nlp.equality) | (np.abs(multipliers) > ACTING)

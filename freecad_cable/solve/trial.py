@@ -25,6 +25,11 @@ LEADEN = 3e5
 """Weight ratio above which the same was seen."""
 
 
+ACTING = 1e-6
+"""Push of a bound, in units of force, below which it is none: the solvers leave their tolerance of 1e-9 over the distance
+to a bound that does not act."""
+
+
 class TimeUpError(Exception):
     """The time limit of a solve has passed; internal to this room."""
 
@@ -60,11 +65,17 @@ class Trial:
         return float(np.linalg.norm(correction[:, :3], axis=1).max())
 
     @cached_property
+    def acting(self) -> np.ndarray:
+        """(rows,) whether a row holds: an equation, or a bound that pushes harder than it is far."""
+        left = self.nlp.rows_function(self.raw.x, self.parameters).full().ravel()
+        push = -self.raw.multipliers
+        return np.array(self.nlp.equality) | ((push > ACTING) & (push > left))
+
+    @cached_property
     def contact_forces(self) -> np.ndarray:
         """(n+1, contacts, 3) what the feature of each contact row exerts on each node, without units."""
         rows, features = self.nlp.contact_rows, self.values["features"]
-        push = np.where(rows >= 0, np.maximum(-self.raw.multipliers[rows], 0.0), 0.0)
-        push[push < stability.ACTING] = 0.0
+        push = np.where((rows >= 0) & self.acting[rows], -self.raw.multipliers[rows], 0.0)
         nodes = self.shape.position
         slopes = [contact.slope(nodes, features[:, i]) for i in range(rows.shape[1])]
         return push[..., None] * np.stack(slopes, axis=1)
@@ -72,7 +83,7 @@ class Trial:
     @cached_property
     def _second_variation(self):
         return stability.SecondVariation(
-            self.nlp, self.raw.x, self.parameters, self.raw.multipliers
+            self.nlp, self.raw.x, self.parameters, self.raw.multipliers, self.acting
         )
 
     @cached_property

@@ -12,7 +12,7 @@ with n = 0 and α = β = 1/R about a line, α = 1/R and β = 0 about a point, d 
 import casadi as ca
 import numpy as np
 
-from ..problem.obstacles import FLAT, LINE
+from ..geometry.nearest import FLAT, LINE
 
 PARAMETERS = 12
 """c (3), n (3), a (3), α, β, d of one feature"""

@@ -8,43 +8,48 @@ import casadi as ca
 import numpy as np
 
 from . import supports
+from .element_functions import SCHEMES
+from .numbering import Numbering
 from .structure import Structure
-from .writer import PARAMETERS, SCHEMES, Writer
+from .writer import PARAMETERS, Writer
 
 __all__ = ["SCHEMES", "Nlp", "build", "pack"]
 
 
 @dataclass(frozen=True)
 class Nlp:
-    """A program without numbers. ``x``, ``g``, ``f``, ``p`` are SX columns; ``energies`` is (bending,
+    """A program without numbers. ``x``, ``g``, ``f``, ``p`` are MX columns; ``energies`` is (bending,
     torsion, stretch, gravity), ``means`` (3, stretches) the mean position over the first element of each
     stretch, from its first node.
-
-    ``gaps[k]`` is the first row of gap k, ``held[j]`` the rows of support j.
     """
 
     structure: Structure
-    x: ca.SX
-    g: ca.SX
-    f: ca.SX
-    p: ca.SX
-    energies: ca.SX
-    means: ca.SX
-    multipliers: tuple[ca.SX, ca.SX]
-    """λ_f and λ, in which the next two are written"""
-    hessian: ca.SX
+    numbers: Numbering
+    x: ca.MX
+    g: ca.MX
+    p: ca.MX
+    energies: ca.MX
+    means: ca.MX
+    multipliers: tuple[ca.MX, ca.MX]
+    """λ_f and λ, in which the next is written"""
+    hessian: ca.MX
     """of the Lagrangian λ_f f + λ·g, in x"""
-    jacobian: ca.SX
+    jacobian: ca.MX
     """of g, in x"""
-    equality: tuple[bool, ...]
-    gaps: tuple[int, ...]
+    gradient: ca.MX
+    """of f, in x"""
+    equality: np.ndarray
+    """(rows,) bool"""
+    gaps: np.ndarray
+    """(n,) first row of each gap"""
     contact_rows: np.ndarray
     """(n+1, contacts) rows; −1 at nodes that are held"""
-    held: tuple[range, ...]
     stage_sizes: tuple[tuple[int, int, int], ...]
     """(nx, nu, ng) of each stage"""
-    strain_of: np.ndarray
-    """(len x,) which of the kept strains a variable is; −1 for others"""
+
+    @property
+    def f(self):
+        return ca.sum1(self.energies)
 
     @cached_property
     def energy_function(self):
@@ -72,12 +77,10 @@ class Nlp:
             for part in (self.hessian, self.jacobian)
         )
 
-    @cached_property
+    @property
     def states(self) -> np.ndarray:
         """(n+1, nx) indices into x"""
-        sizes = np.array(self.stage_sizes)
-        begin = np.concatenate([[0], np.cumsum(sizes[:-1, 0] + sizes[:-1, 1])])
-        return begin[:, None] + np.arange(sizes[0, 0])
+        return self.numbers.states
 
 
 def pack(structure, values, steps):
@@ -93,29 +96,25 @@ def pack(structure, values, steps):
 
 @lru_cache(maxsize=64)
 def build(structure: Structure) -> Nlp:
-    """Write the program of a structure. Costs some 0.1 s and is kept."""
+    """Write the program of a structure; it is kept."""
     writer = Writer(structure)
-    writer.write()
+    contact_rows = np.full((structure.elements + 1, structure.contacts), -1)
+    for node, rows in writer.contact_rows.items():
+        contact_rows[node] = rows
     return Nlp(
         structure=structure,
-        x=ca.vertcat(*writer.x),
-        g=ca.vertcat(*writer.g),
-        f=ca.sum1(writer.energies),
-        p=writer.parameters,
+        numbers=writer.numbers,
+        x=writer.x,
+        g=writer.g,
+        p=writer.p,
         energies=writer.energies,
-        means=ca.horzcat(*writer.means),
-        multipliers=(writer.factor, ca.vertcat(*writer.multipliers)),
-        hessian=ca.diagcat(*writer.hessian),
-        jacobian=ca.vertcat(*writer.jacobian),
-        equality=tuple(writer.equality),
-        gaps=tuple(writer.gaps),
-        contact_rows=np.array(
-            [
-                np.full(structure.contacts, -1) if rows is None else rows
-                for rows in writer.contact_rows
-            ]
-        ),
-        held=tuple(writer.held_rows),
-        stage_sizes=tuple(writer.sizes),
-        strain_of=writer.strain_of(),
+        means=writer.means,
+        multipliers=(writer.factor, writer.multipliers),
+        hessian=writer.hessian,
+        jacobian=writer.jacobian,
+        gradient=writer.gradient,
+        equality=np.array(writer.equality),
+        gaps=writer.gaps,
+        contact_rows=contact_rows,
+        stage_sizes=tuple(writer.stage_sizes),
     )

@@ -1,25 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes the nonlinear program of a structure, in the stage order that fatrop wants.
+"""Writes the nonlinear program of a structure and its derivatives.
 
-Variables x₀ u₀ x₁ u₁ … x_N, rows gap₀ rows₀ gap₁ … rows_N, with gap_k = x_{k+1} − F(x_k, u_k):
-
-    state x    position (3), quaternion (4); with a scheme whose strain is continuous the strain (m);
-               where the cable slides, length and first arc length of the stretch (2)
-    control u  the strain of the element (m), or the strain at its far node (m);
-               beyond a support also the strain at its first node (m), for it may jump there;
-               beyond a support where the cable slides, the length of the next stretch (1)
-
-The gap keeps the sign that makes its multipliers the internal force and (through the quaternion) moment.
+Rows gap₀ rows₀ gap₁ … rows_N, with gap_k = x_{k+1} − F(x_k, u_k): the gap keeps the sign that makes its multipliers the
+internal force and (through the quaternion) moment. Nothing couples two stages but the gaps, which are linear in the
+next state, so the Hessian is block diagonal. Functions of one element, node or support are mapped over all of them
+and their values sorted into place, so that writing costs next to nothing however fine the mesh.
 """
 
 import casadi as ca
 import numpy as np
 
-from . import contact, ends, helix, magnus, supports
-from .element import step
-from .hessian import element_block
-
-SCHEMES = {"helix": helix, "magnus": magnus}
+from . import contact, ends, supports
+from .element_functions import element
+from .numbering import Numbering
 
 PARAMETERS = {
     "stiffness": 6,
@@ -31,210 +24,305 @@ PARAMETERS = {
     "end_quaternion": 4,
     "curvature_limit": 1,
 }
-"""Sizes of the parameters beside those of the supports and the element lengths, all without units (see ``scaling``)."""
+"""Sizes of the parameters beside those of the supports, the element lengths and the features of obstacles, all without
+units (see ``scaling``)."""
 
 SHORTEST = 1e-3
 """Length of a stretch, relative to the cable, below which no support slides."""
 
 
+def _derived(rows, v, p, lam):
+    """Functions (v, p) → rows, (v, p) → their Jacobian, (v, p, λ) → Hessian of λ·rows, the last two dense."""
+    slope, bent = ca.jacobian(rows, v), ca.hessian(ca.dot(lam, rows), v)[0]
+    return (
+        ca.Function("rows", [v, p], [rows]),
+        ca.Function("slope", [v, p], [ca.densify(slope)]),
+        ca.Function("bent", [v, p, lam], [ca.densify(bent)]),
+    )
+
+
 class Writer:
-    """Collects variables, rows and the blocks of their derivatives, stage by stage."""
+    """Collects rows and derivatives. ``x``, ``g``, ``f``, ``p`` and the like are MX columns."""
 
     def __init__(self, structure):
         self.structure = structure
-        self.scheme = SCHEMES[structure.scheme]
-        self.size = len(structure.strains)
-        self.held = {node: j for j, node in enumerate(structure.joints)}
-        self.named = {name: ca.SX.sym(name, size) for name, size in PARAMETERS.items()}
-        self.supports = [
-            {name: ca.SX.sym(f"{name}{j}", size) for name, size in supports.PARAMETERS.items()}
-            for j in range(len(structure.supports))
-        ]
-        self.steps = ca.SX.sym("h", structure.elements)
-        features = structure.contacts * (structure.elements + 1)
-        self.features = ca.SX.sym("feature", contact.PARAMETERS, features)
-        self.factor = ca.SX.sym("lam_f")
-        self.block = element_block(self.scheme, structure, self.full)
-        own = self.size if self.scheme.STRAIN_IS_STATE else 0
-        self.state_size = 7 + own + (2 if structure.slides else 0)
-        self.control_sizes = [
-            self.size + (own + structure.slides if k in self.held else 0)
-            for k in range(structure.elements)
-        ]
-        self.width = structure.elements * self.state_size + sum(self.control_sizes)
-        self.width += self.state_size
-        self.x, self.g, self.multipliers, self.equality = [], [], [], []
-        self.hessian, self.jacobian, self.sizes, self.gaps = [], [], [], []
-        self.held_rows, self.contact_rows, self.means = [], [], []
-        self.energies = ca.SX.zeros(4)
-        self.begin = 0
-
-    @property
-    def parameters(self):
-        held = [symbol for each in self.supports for symbol in each.values()]
-        return ca.vertcat(*self.named.values(), *held, self.steps, self.features[:])
-
-    def full(self, strain, unloaded):
-        """(κ, v) from the strains that the model keeps."""
-        e = ca.SX(ca.vertcat(unloaded, 0, 0, 0))
-        for i, index in enumerate(self.structure.strains):
-            e[index] = strain[i]
-        return e[:3], ca.vertcat(e[3], e[4], 1 + e[5])
-
-    def next_multipliers(self, count):
-        self.multipliers.append(ca.SX.sym(f"lam{len(self.multipliers)}", count))
-        return self.multipliers[-1]
-
-    def add(self, rows, jacobian, equality=True):
-        """Rows of this stage with their Jacobian over its variables and the next state."""
-        self.g.append(rows)
-        self.equality += [equality] * rows.numel()
-        after = self.width - self.begin - jacobian.columns()
-        before = ca.SX(jacobian.rows(), self.begin)
-        self.jacobian.append(ca.horzcat(before, jacobian, ca.SX(jacobian.rows(), after)))
-
-    def element(self, k, state, following):
-        """Control, energy and gap of element k: (control, Hessian over state and control)."""
-        structure, scheme, named = self.structure, self.scheme, self.named
-        size, nx = self.size, self.state_size
-        control = ca.SX.sym(f"u{k}", self.control_sizes[k])
-        own = ca.vertcat(state, control)
-        beyond, index = k in self.held, np.arange(own.numel())
-        first = last = index[nx : nx + size]
-        if scheme.STRAIN_IS_STATE:
-            first = first if beyond else index[7 : 7 + size]
-            last = index[nx + size : nx + 2 * size] if beyond else last
-        changing = [3, 4, 5, 6, *first, *(last if scheme.STRAIN_IS_STATE else ())]
-        share, h = self.steps[k], self.steps[k]
-        if structure.slides:
-            stretch = index[-1] if beyond else nx - 2
-            changing.append(stretch)
-            h = share * own[int(stretch)]
-        changing = [int(i) for i in changing]
-
-        r, q, natural, weight = state[:3], state[3:7], named["natural"], named["weight"]
-        a, b = own[first.tolist()], own[last.tolist()]
-        kept = list(structure.strains)
-        screw = scheme.screw(h, self.full(a, natural), self.full(b, natural))
-        displacement, q_next, mean = step(q, *screw)
-        if beyond or k == 0:
-            self.means.append(mean)
-        rest = ca.vertcat(natural, 0, 0, 0)[kept]
-        parts = scheme.elastic_energy(h, named["stiffness"][kept], a - rest, b - rest)
-        for i, strain in enumerate(kept):
-            self.energies[0 if strain < 2 else 1 if strain == 2 else 2] += parts[i]
-        self.energies[3] -= h * ca.dot(weight, r - named["start_position"] + mean)
-
-        reached = [r + displacement, q_next]
-        if scheme.STRAIN_IS_STATE:
-            reached.append(b)
-        if structure.slides:
-            reached += [own[changing[-1]], state[nx - 1] + (state[nx - 2] if beyond else 0)]
-        self.gaps.append(len(self.equality))
-        loads = [named["stiffness"], natural, weight, self.factor, self.next_multipliers(nx)[:7]]
-        block, reach = self.block(own[changing], share, *loads)
-        lead = ca.SX(nx, own.numel())
-        lead[:3, :3] = ca.SX.eye(3)
-        lead[:7, changing] = reach
-        if scheme.STRAIN_IS_STATE:
-            lead[7 : 7 + size, last.tolist()] = ca.SX.eye(size)
-        if structure.slides:
-            lead[nx - 2, changing[-1]] = 1
-            lead[nx - 1, nx - 1] = 1
-            if beyond:
-                lead[nx - 1, nx - 2] = 1
-        jacobian = ca.horzcat(-lead, ca.SX.eye(nx))
-        self.add(following - ca.vertcat(*reached), jacobian)
-        hessian = ca.SX(own.numel(), own.numel())
-        hessian[changing, changing] = block
-        if structure.slides:
-            lift = -self.factor * share * weight
-            hessian[:3, changing[-1]] = lift
-            hessian[changing[-1], :3] = lift.T
-        return control, hessian
-
-    def rows(self, k, state, own):
-        """Rows of stage k beside its gap; the Hessian of their part over its variables."""
-        structure, nx = self.structure, self.state_size
-        r, q = state[:3], state[3:7]
-        equations, bounds = [], []
-        if k == 0:
-            equations.append(ends.start_rows(structure, r, q, self.named))
-        if k == structure.elements:
-            equations.append(ends.end_rows(structure, r, q, self.named))
-        if structure.slides and k in (0, structure.elements):
-            whole = state[nx - 1] + state[nx - 2] - 1
-            equations.append(state[nx - 1] if k == 0 else whole)
-            bounds += [state[nx - 2] - SHORTEST] if k == 0 else []
-        if k in self.held:
-            j = self.held[k]
-            kind, values = structure.supports[j], self.supports[j]
-            equations.append(supports.equations(kind, r, q, values))
-            bounds.append(supports.play_left(kind, r, values))
-            if structure.slides:
-                if not structure.sliding[j]:
-                    equations.append(state[nx - 1] + state[nx - 2] - values["arc_length"])
-                bounds.append(own[-1] - SHORTEST)
-        begin = len(self.equality)
-        gaps = self.gaps_to_obstacles(k, r)
-        ahead = ca.vertcat(*equations, *bounds).numel()
-        self.contact_rows.append(begin + ahead + np.arange(len(gaps)) if gaps else None)
-        bounds += gaps
+        self.numbers = Numbering(structure)
+        self.x = ca.MX.sym("x", self.numbers.size)
+        self.factor = ca.MX.sym("lam_f")
+        self._read_parameters()
+        self.holders = self._holders()
+        self._number_rows()
+        self.multipliers = ca.MX.sym("lam_g", len(self.equality))
+        self.row_terms, self.slope_terms = [], []
+        self.hessian = ca.MX(self.numbers.size, self.numbers.size)
+        self._elements()
+        self._linear_gaps()
+        self._held()
+        if structure.contacts:
+            self._contacts()
         if structure.bend_limit:
-            bounds += self.bends_left(k, own)
-        hessian = ca.SX(own.numel(), own.numel())
-        for rows, equality in ((ca.vertcat(*equations), True), (ca.vertcat(*bounds), False)):
-            if rows.numel():
-                self.add(rows, ca.jacobian(rows, own), equality)
-                pull = ca.dot(self.next_multipliers(rows.numel()), rows)
-                hessian += ca.hessian(pull, own)[0]
-        if k in self.held:
-            self.held_rows.append(range(begin, len(self.equality)))
-        return len(self.equality) - begin, hessian
+            self._bends()
+        order = np.argsort(np.concatenate([rows for rows, _ in self.row_terms]))
+        self.g = ca.vertcat(*(values for _, values in self.row_terms))[order.tolist()]
+        rows, columns, values = zip(*self.slope_terms, strict=True)
+        self.jacobian = self._matrix(
+            len(self.equality), np.concatenate(rows), np.concatenate(columns), ca.vertcat(*values)
+        )
 
-    def gaps_to_obstacles(self, k, r):
-        """Of a node that nothing holds: those that are held are where their holder says."""
-        structure, count = self.structure, self.structure.contacts
-        free = {0: structure.start == "free", structure.elements: structure.end == "free"}
-        if k in self.held or not free.get(k, True):
-            return []
-        return [contact.gap(r, self.features[:, k * count + i]) for i in range(count)]
+    def _read_parameters(self):
+        structure = self.structure
+        features = contact.PARAMETERS * structure.contacts * (structure.elements + 1)
+        sizes = [*PARAMETERS.values()]
+        sizes += [*supports.PARAMETERS.values()] * len(structure.supports)
+        sizes += [structure.elements, features]
+        self.p = ca.MX.sym("p", sum(sizes))
+        parts = iter(ca.vertsplit(self.p, np.concatenate([[0], np.cumsum(sizes)]).tolist()))
+        self.named = {name: next(parts) for name in PARAMETERS}
+        self.supports = [
+            ca.vertcat(*(next(parts) for _ in supports.PARAMETERS)) for _ in structure.supports
+        ]
+        self.steps, self.features = next(parts), next(parts)
 
-    def bends_left(self, k, own):
-        """About the curvature that is left to the limit, at every strain of a stage."""
-        nx, limit = self.state_size, self.named["curvature_limit"]
-        if self.scheme.STRAIN_IS_STATE:
-            places = [7, nx] if k in self.held else [7]
+    def _holders(self):
+        """What holds a stage: {stage: (functions of its rows, indices of its variables, parameters, number of equations,
+        number of bounds)}."""
+        structure, numbers, named = self.structure, self.numbers, self.named
+        nx, last = numbers.nx, structure.elements
+        poses = {
+            place: ca.vertcat(named[f"{place}_position"], named[f"{place}_quaternion"])
+            for place in ("start", "end")
+        }
+        found = {}
+
+        def hold(k, variables, parameters, write):
+            v = ca.SX.sym("v", len(variables))
+            p = ca.SX.sym("p", parameters.numel())
+            equations, bounds = (ca.SX(ca.vertcat(*rows)) for rows in write(v, p))
+            rows = ca.vertcat(equations, bounds)
+            lam = ca.SX.sym("lam", rows.numel())
+            sizes = equations.numel(), bounds.numel()
+            if sum(sizes):
+                found[k] = (_derived(rows, v, p, lam), variables, parameters, *sizes)
+
+        def start(v, p):
+            values = {"start_position": p[:3], "start_quaternion": p[3:]}
+            rows = [ends.start_rows(structure, v[:3], v[3:7], values)]
+            if not structure.slides:
+                return rows, []
+            return [*rows, v[nx - 1]], [v[nx - 2] - SHORTEST]
+
+        def end(v, p):
+            values = {"end_position": p[:3], "end_quaternion": p[3:]}
+            rows = [ends.end_rows(structure, v[:3], v[3:7], values)]
+            return rows + ([v[nx - 1] + v[nx - 2] - 1] if structure.slides else []), []
+
+        def support(j):
+            def write(v, p):
+                offsets = np.concatenate([[0], np.cumsum([*supports.PARAMETERS.values()])])
+                values = dict(
+                    zip(supports.PARAMETERS, ca.vertsplit(p, offsets.tolist()), strict=True)
+                )
+                kind = structure.supports[j]
+                rows = [supports.equations(kind, v[:3], v[3:7], values)]
+                bounds = [supports.play_left(kind, v[:3], values)]
+                if structure.slides:
+                    bounds.append(v[nx] - SHORTEST)
+                    if not structure.sliding[j]:
+                        rows.append(v[nx - 1] + v[nx - 2] - values["arc_length"])
+                return rows, bounds
+
+            return write
+
+        hold(0, numbers.states[0], poses["start"], start)
+        hold(last, numbers.states[last], poses["end"], end)
+        for j, node in enumerate(structure.joints):
+            beyond = [numbers.stretch[node]] if structure.slides else []
+            variables = np.concatenate([numbers.states[node], beyond]).astype(int)
+            hold(node, variables, self.supports[j], support(j))
+        return found
+
+    def _number_rows(self):
+        """Every stage has its gap, equations, bounds of what holds it, of obstacles, and of the curvature."""
+        structure, numbers = self.structure, self.numbers
+        n, nx = structure.elements, numbers.nx
+        free = np.ones(n + 1, bool)
+        free[[0, n]] = structure.start == "free", structure.end == "free"
+        free[list(structure.joints)] = False
+        self.touching = np.flatnonzero(free)
+        self.bent_at = [numbers.states[k, 7] for k in range(n + 1)] if numbers.continuous else []
+        self.bent_at = [[place] for place in self.bent_at] or [
+            [place] for place in numbers.first[:, 0]
+        ]
+        if numbers.continuous:
+            for node in structure.joints:
+                self.bent_at[node].append(numbers.first[node, 0])
         else:
-            places = [nx] if k < self.structure.elements else []
-        return [(limit - ca.sumsqr(own[i : i + 2]) / limit) / 2 for i in places]
+            self.bent_at.append([])
+        equality, self.gaps, self.held_rows, self.contact_rows = [], [], {}, {}
+        self.bend_rows, sizes = [], []
+        for k in range(n + 1):
+            if k < n:
+                self.gaps.append(len(equality))
+                equality += [True] * nx
+            begin = len(equality)
+            if k in self.holders:
+                equations, bounds = self.holders[k][3:]
+                self.held_rows[k] = range(begin, begin + equations + bounds)
+                equality += [True] * equations + [False] * bounds
+            if structure.contacts and free[k]:
+                self.contact_rows[k] = range(len(equality), len(equality) + structure.contacts)
+                equality += [False] * structure.contacts
+            if structure.bend_limit:
+                self.bend_rows += range(len(equality), len(equality) + len(self.bent_at[k]))
+                equality += [False] * len(self.bent_at[k])
+            sizes.append((nx, int(numbers.nu[k]), len(equality) - begin))
+        self.equality, self.gaps, self.stage_sizes = equality, np.array(self.gaps), sizes
 
-    def write(self):
-        state = ca.SX.sym("x0", self.state_size)
-        for k in range(self.structure.elements):
-            following = ca.SX.sym(f"x{k + 1}", self.state_size)
-            control, hessian = self.element(k, state, following)
-            own = ca.vertcat(state, control)
-            rows, bent = self.rows(k, state, own)
-            self.x.append(own)
-            self.hessian.append(hessian + bent)
-            self.sizes.append((self.state_size, control.numel(), rows))
-            self.begin += own.numel()
-            state = following
-        rows, bent = self.rows(self.structure.elements, state, state)
-        self.x.append(state)
-        self.hessian.append(bent)
-        self.sizes.append((self.state_size, 0, rows))
+    def _matrix(self, height, rows, columns, values):
+        """A sparse matrix over x from its nonzeros; no place twice."""
+        order = np.lexsort((rows, columns))
+        counts = np.bincount(columns, minlength=self.numbers.size)
+        starts = np.concatenate([[0], np.cumsum(counts)])
+        sparsity = ca.Sparsity(height, self.numbers.size, starts.tolist(), rows[order].tolist())
+        return ca.MX(sparsity, values[order.tolist()])
 
-    def strain_of(self):
-        """(len x,) which of the kept strains each variable is."""
-        own = self.size if self.scheme.STRAIN_IS_STATE else 0
-        count = np.arange(self.size)
-        found = []
-        for nx, nu, _ in self.sizes:
-            stage = np.full(nx + nu, -1)
-            stage[7 : 7 + own] = count[:own]
-            strains = nu - nu % self.size
-            stage[nx : nx + strains] = np.tile(count, strains // self.size)
-            found.append(stage)
-        return np.concatenate(found)
+    def _add_hessian(self, variables, values):
+        """Dense symmetric blocks: ``variables`` (blocks, c), ``values`` the blocks after each other."""
+        count = variables.shape[1]
+        rows = np.repeat(variables[:, None, :], count, axis=1).ravel()
+        columns = np.repeat(variables[:, :, None], count, axis=2).ravel()
+        self.hessian += self._matrix(self.numbers.size, rows, columns, ca.vec(values))
+
+    def _take(self, variables):
+        """(c, blocks) values of the variables (blocks, c)."""
+        return ca.reshape(self.x[variables.ravel().tolist()], *variables.shape[::-1])
+
+    def _elements(self):
+        structure, numbers, named = self.structure, self.numbers, self.named
+        n = structure.elements
+        functions = element(structure.scheme, structure.strains, structure.slides)
+        law = ca.repmat(ca.vertcat(named["stiffness"], named["natural"], named["weight"]), 1, n)
+        own, shares = self._take(numbers.element), self.steps.T
+        rows = self.gaps[:, None] + np.arange(7)
+        lam = ca.reshape(self.multipliers[rows.ravel().tolist()], 7, n)
+        displacement, turned, mean, elastic, lengths = functions.motion.map(n)(own, shares, law)
+        places = self._take(numbers.states[:-1, :3])
+        following = self._take(numbers.states[1:, :7])
+        reached = ca.vertcat(places + displacement, turned)
+        self.row_terms.append((rows.ravel(), ca.vec(following - reached)))
+
+        origin = named["start_position"]
+        kinds = [0 if strain < 2 else 1 if strain == 2 else 2 for strain in structure.strains]
+        sums = ca.sum2(elastic)
+        parts = [sum(sums[i] for i, k in enumerate(kinds) if k == kind) for kind in range(3)]
+        offsets = places - ca.repmat(origin, 1, n)
+        self.energies = ca.vertcat(*parts, -ca.dot(named["weight"], (offsets + mean) @ lengths.T))
+        firsts = [0, *structure.joints]
+        self.means = mean[:, firsts]
+        slopes = functions.slope.map(n)(offsets, own, shares, law)
+        changing = np.hstack([numbers.states[:-1, :3], numbers.element])
+        self.gradient = self._column(changing.ravel(), ca.vec(slopes))
+
+        factors = ca.repmat(self.factor, 1, n)
+        blocks = functions.block.map(n)(own, shares, law, factors, lam)
+        self._add_hessian(numbers.element, blocks)
+        reach = functions.reach.map(n)(own, shares, law)
+        if structure.slides:
+            lift = ca.vec(-self.factor * named["weight"] @ shares)
+            r, length = numbers.states[:-1, :3].ravel(), np.repeat(numbers.stretch, 3)
+            half = self._matrix(numbers.size, r, length, lift)
+            self.hessian += half + half.T
+        width = numbers.element.shape[1]
+        self.slope_terms += [
+            (
+                np.tile(rows[:, None, :], (1, width, 1)).ravel(),
+                np.repeat(numbers.element, 7, axis=1).ravel(),
+                -ca.vec(reach),
+            ),
+            self._constant(rows, numbers.states[1:, :7], 1.0),
+            self._constant(rows[:, :3], numbers.states[:-1, :3], -1.0),
+        ]
+
+    def _column(self, places, values):
+        """A dense column over x from values at some places."""
+        order = np.argsort(places)
+        sparsity = ca.Sparsity(self.numbers.size, 1, [0, len(places)], places[order].tolist())
+        return ca.densify(ca.MX(sparsity, values[order.tolist()]))
+
+    @staticmethod
+    def _constant(rows, columns, value):
+        return rows.ravel(), columns.ravel(), ca.MX(ca.DM.ones(rows.size, 1) * value)
+
+    def _linear_gaps(self):
+        """Strain, length and first arc length of a stretch go from stage to stage unchanged, or from the control."""
+        structure, numbers = self.structure, self.numbers
+        nx, size, x = numbers.nx, len(structure.strains), self.x
+
+        def carry(offset, sources):
+            """Next state − the sum of the sources, each (n, c) or with −1 where there is none."""
+            rows = self.gaps[:, None] + offset
+            following = numbers.states[1:, offset]
+            values = x[following.ravel().tolist()]
+            self.slope_terms.append(self._constant(rows, following, 1.0))
+            for source in sources:
+                there = source >= 0
+                picked = x[np.maximum(source, 0).ravel().tolist()]
+                values = values - ca.DM(there.ravel().astype(float)) * picked
+                self.slope_terms.append(self._constant(rows[there], source[there], -1.0))
+            self.row_terms.append((rows.ravel(), values))
+
+        if numbers.continuous:
+            carry(7 + np.arange(size), [numbers.last])
+        if structure.slides:
+            before = np.full((structure.elements, 1), -1)
+            joints = list(structure.joints)
+            before[joints, 0] = numbers.states[joints, nx - 2]
+            carry(np.array([nx - 2]), [numbers.stretch[:, None]])
+            carry(np.array([nx - 1]), [numbers.states[:-1, nx - 1 :], before])
+
+    def _held(self):
+        for k, ((held, slope, bent), variables, parameters, *_) in self.holders.items():
+            rows = np.array(self.held_rows[k])
+            values = self.x[variables.tolist()]
+            self.row_terms.append((rows, held(values, parameters)))
+            slopes = ca.vec(slope(values, parameters))
+            self.slope_terms.append(
+                (np.tile(rows, len(variables)), np.repeat(variables, len(rows)), slopes)
+            )
+            multipliers = self.multipliers[rows.tolist()]
+            self._add_hessian(variables[None], bent(values, parameters, multipliers))
+
+    def _map_bounds(self, gap, variables, parameters, rows):
+        """Bounds gap(variables, parameters) ≥ 0, one a column: ``variables`` (bounds, c)."""
+        v, p = ca.SX.sym("v", variables.shape[1]), ca.SX.sym("p", parameters.shape[0])
+        lam = ca.SX.sym("lam")
+        value, slope, bent = (f.map(len(rows)) for f in _derived(gap(v, p), v, p, lam))
+        given = self._take(variables), parameters
+        self.row_terms.append((rows, ca.vec(value(*given))))
+        columns = np.repeat(rows, variables.shape[1]), variables.ravel()
+        self.slope_terms.append((*columns, ca.vec(slope(*given))))
+        return bent(*given, ca.reshape(self.multipliers[rows.tolist()], 1, len(rows)))
+
+    def _contacts(self):
+        count = self.structure.contacts
+        nodes = np.repeat(self.touching, count)
+        rows = np.concatenate([np.array(self.contact_rows[k]) for k in self.touching])
+        slots = nodes * count + np.tile(np.arange(count), len(self.touching))
+        features = ca.reshape(self.features, contact.PARAMETERS, -1)[:, slots.tolist()]
+        places = self.numbers.states[nodes, :3]
+        blocks = self._map_bounds(contact.gap, places, features, rows)
+        # The features of one node share its place.
+        summed = sum(ca.horzcat(*(ca.horzsplit(blocks, 3)[i::count])) for i in range(count))
+        self._add_hessian(self.numbers.states[self.touching, :3], summed)
+
+    def _bends(self):
+        """About the curvature that is left to the limit, at every strain."""
+
+        def left(kappa, limit):
+            return (limit - ca.sumsqr(kappa) / limit) / 2
+
+        places = np.concatenate([np.array(each, int) for each in self.bent_at])
+        variables = places[:, None] + np.arange(2)
+        limits = ca.repmat(self.named["curvature_limit"], 1, len(places))
+        rows = np.array(self.bend_rows)
+        self._add_hessian(variables, self._map_bounds(left, variables, limits, rows))
