@@ -7,22 +7,31 @@ checked by ``Scene``.
 """
 
 from .ends import Clamped, End, Free, Pinned, Swivel
+from .obstacles import Box, Cylinder, HalfSpace, Obstacle, Sphere
 from .rod import Rod, round_section
 from .scene import Scene
 from .supports import Clamp, Clip, Ring, Sleeve, Support
+from .surfaces import Mesh, Tube
 
 __all__ = [
+    "Box",
     "Clamp",
     "Clamped",
     "Clip",
+    "Cylinder",
     "End",
     "Free",
+    "HalfSpace",
+    "Mesh",
+    "Obstacle",
     "Pinned",
     "Ring",
     "Rod",
     "Scene",
     "Sleeve",
+    "Sphere",
     "Support",
     "Swivel",
+    "Tube",
     "round_section",
 ]

@@ -2,6 +2,7 @@
 """Numbers and vectors from outside, checked. Every reader of a statement goes through these."""
 
 import reprlib
+from itertools import chain
 
 import numpy as np
 
@@ -58,3 +59,62 @@ def direction(field, value, size=3):
     array = array / norm
     array.flags.writeable = False
     return array
+
+
+def table(field, value, least=1):
+    """``value`` as a read-only array (k, 3) of finite floats, k at least ``least``. Quick for long ones."""
+    array = _rows(field, value, number, "iuf", {int, float}, f"at least {least} lists of 3 numbers")
+    if len(array) < least:
+        raise ProblemError(field, f"has {len(array)} rows; it must have at least {least}")
+    array = np.array(array, float)
+    good = np.abs(array) <= LARGEST
+    if not good.all():
+        i, j = np.argwhere(~good)[0]
+        number(f"{field}[{i}][{j}]", array[i, j])
+    array.flags.writeable = False
+    return array
+
+
+def index_table(field, value, count, things):
+    """``value`` as a read-only array (k, 3), k at least 1, of indices into ``count`` things. Quick for long ones."""
+    array = _rows(field, value, _whole, "iu", {int}, "a list of lists of 3 whole numbers")
+    if len(array) == 0:
+        raise ProblemError(field, "is empty; it must have at least 1 row")
+    good = (array >= 0) & (array < count)
+    if not good.all():
+        i, j = np.argwhere(~good)[0]
+        raise ProblemError(
+            f"{field}[{i}][{j}]",
+            f"is {array[i, j]}; it must be from 0 to {count - 1}, as there are {count} {things}",
+        )
+    array = np.array(array, int)
+    array.flags.writeable = False
+    return array
+
+
+def _rows(field, value, check, kinds, types, wanted):
+    """``value`` as an array (k, 3) of one of the dtype ``kinds``. Lists of anything but ``types`` are searched, number
+    by number with ``check``, for what to name."""
+    if isinstance(value, np.ndarray):
+        if value.ndim != 2 or value.shape[1] != 3 or value.dtype.kind not in kinds:
+            raise ProblemError(
+                field, f"is an array {value.shape} of {value.dtype}; it must be {wanted}"
+            )
+        return value
+    if not isinstance(value, (list, tuple)):
+        raise ProblemError(field, f"is {shown(value)}; it must be {wanted}")
+    if set(map(type, value)) <= {list, tuple} and set(map(len, value)) <= {3}:
+        array = np.array(value).reshape(-1, 3)
+        if array.dtype.kind in kinds and set(map(type, chain.from_iterable(value))) <= types:
+            return array
+    for i, row in enumerate(value):
+        if not isinstance(row, (list, tuple, np.ndarray)) or len(row) != 3:
+            raise ProblemError(f"{field}[{i}]", f"is {shown(row)}; it must be a list of 3 numbers")
+        for j, item in enumerate(row):
+            check(f"{field}[{i}][{j}]", item)
+    return np.array(value).reshape(-1, 3)
+
+
+def _whole(field, value):
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or abs(value) > 2**62:
+        raise ProblemError(field, f"is {shown(value)}; it must be a whole number")

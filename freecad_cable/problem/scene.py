@@ -35,6 +35,7 @@ class Scene:
     def __post_init__(self):
         object.__setattr__(self, "gravity", vector("gravity", self.gravity))
         object.__setattr__(self, "supports", tuple(self.supports))
+        object.__setattr__(self, "obstacles", tuple(self.obstacles))
         number("clearance", self.clearance, at_least=0, unit="m")
         if self.enforce_bend_radius and self.rod.min_bend_radius is None:
             raise ProblemError(

@@ -10,9 +10,11 @@ from ..errors import NotYetError, ProblemError
 from ..options import SolveOptions
 from .checked import number, shown, vector
 from .ends import Clamped, Free, Pinned, Swivel
+from .obstacles import Box, Cylinder, HalfSpace, Sphere
 from .rod import Rod
 from .scene import Scene
 from .supports import SUPPORTS
+from .surfaces import Mesh
 
 SCHEMA = 1
 ENDS = {"clamped": Clamped, "swivel": Swivel, "pinned": Pinned, "free": Free}
@@ -35,6 +37,7 @@ OBSTACLE_FIELDS = {
     "box": ("position", "quaternion", "size"),
     "mesh": ("vertices", "triangles"),
 }
+OBSTACLES = {kind.kind: kind for kind in (HalfSpace, Sphere, Cylinder, Box, Mesh)}
 CABLE_REQUIRED = ("radius", "mass_per_length", "bending_stiffness", "torsional_stiffness")
 CABLE_OPTIONAL = ("axial_stiffness", "shear_stiffness", "natural_curvature", "min_bend_radius")
 
@@ -52,12 +55,8 @@ def read_scene(data) -> Scene:
             "schema", f"is {shown(fields['schema'])}; this version reads schema {SCHEMA}"
         )
     supports = _supports(fields.get("supports", []))
-    obstacles = _kinds("obstacles", fields.get("obstacles", []), OBSTACLE_FIELDS, ())
+    obstacles = _obstacles(fields.get("obstacles", []))
     start, end = (_end(place, fields[place]) for place in ("start", "end"))
-    if obstacles:
-        raise NotYetError(
-            "obstacles", "are read but not yet solved by this version; leave them out"
-        )
     gravity = fields.get("gravity", [0, 0, -9.81])
     clearance = fields.get("clearance", 0.0)
     return Scene(
@@ -65,6 +64,7 @@ def read_scene(data) -> Scene:
         start=start,
         end=end,
         supports=supports,
+        obstacles=obstacles,
         gravity=vector("gravity", gravity),
         clearance=number("clearance", clearance, at_least=0, unit="m"),
         options=_options(fields.get("options", {})),
@@ -128,6 +128,14 @@ def _supports(data) -> tuple:
             arc_length=fields.get("arc_length"),
             place=f"supports[{i}]",
         )
+        for i, (kind, fields) in enumerate(found)
+    )
+
+
+def _obstacles(data) -> tuple:
+    found = _kinds("obstacles", data, OBSTACLE_FIELDS, ())
+    return tuple(
+        OBSTACLES[kind](*(fields[name] for name in OBSTACLE_FIELDS[kind]), place=f"obstacles[{i}]")
         for i, (kind, fields) in enumerate(found)
     )
 

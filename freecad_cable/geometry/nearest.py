@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The nearest feature of a surface: a flat face, an edge or axis, a corner or centre."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .rotation import cross
+
+FLAT, LINE, POINT = 0, 1, 2
+
+ROUNDING = 64 * np.finfo(float).eps
+"""Relative to coordinates: distances below have no direction of their own."""
+
+
+@dataclass(frozen=True, eq=False)
+class Nearest:
+    """Of m points x: the distance to a solid and the feature that is nearest.
+
+    The distance to a feature is n·(x − c) if flat, |(x − c) − (n·(x − c)) n| − ρ about a line, and
+    |x − c| − ρ about a point. Of the solid it is the distance where that feature is the nearest, and
+    its gradient is the normal.
+    """
+
+    distance: np.ndarray
+    """(m,) [m] signed, negative inside"""
+    normal: np.ndarray
+    """(m, 3) unit, the direction in which the distance grows"""
+    feature: np.ndarray
+    """(m,) FLAT, LINE or POINT"""
+    center: np.ndarray
+    """(m, 3) [m] c: the point of the face, of the line, or the point; nearest to x"""
+    direction: np.ndarray
+    """(m, 3) n: outward normal of the face, unit direction of the line, zeros for a point"""
+    radius: np.ndarray
+    """(m,) [m] ρ: 0 for sharp edges and corners, and for faces"""
+
+
+def measured(points, feature, center, direction, radius, otherwise) -> Nearest:
+    """Distances and normals of points (m, 3) from their nearest features.
+
+    ``feature``, ``center``, ``direction`` and ``radius`` as in ``Nearest`` (or what broadcasts to it).
+    ``otherwise`` (m, 3), unit, stands in where a point is on the line or at the point itself. If that is
+    sharp (ρ = 0), the distance has a kink there, and the feature is the flat one with that normal.
+    """
+    shape = points.shape
+    center, direction, otherwise = (
+        np.broadcast_to(a, shape) for a in (center, direction, otherwise)
+    )
+    feature, radius = (np.broadcast_to(a, shape[:1]) for a in (feature, radius))
+    away = points - center
+    across = away - np.sum(away * direction, axis=1)[:, None] * direction
+    length = np.linalg.norm(across, axis=1)
+    scale = np.maximum(np.abs(points).max(axis=1), np.abs(center).max(axis=1))
+    on_it = (feature != FLAT) & (length <= ROUNDING * scale)
+    on_sharp = on_it & (radius == 0)
+
+    feature = np.where(on_sharp, FLAT, feature)
+    direction = np.where(on_sharp[:, None], otherwise, direction)
+    flat = feature == FLAT
+    normal = across / np.maximum(length, 1e-300)[:, None]
+    normal = np.where(on_it[:, None], otherwise, np.where(flat[:, None], direction, normal))
+    distance = np.where(flat, np.sum(away * direction, axis=1), length - radius)
+    return Nearest(distance, normal, feature, np.array(center), direction, np.array(radius))
+
+
+def perpendicular(directions):
+    """For each unit vector (m, 3), a unit vector (m, 3) at right angles."""
+    axes = np.eye(3)[np.argmin(np.abs(directions), axis=1)]
+    across = cross(directions, axes)
+    return across / np.linalg.norm(across, axis=1, keepdims=True)

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which obstacles a cable cannot touch, whatever its shape."""
+
+import numpy as np
+
+from ..geometry.spheroid import Spheroid
+from .obstacles import HalfSpace
+
+
+def out_of_reach(obstacles, a, b, length, margin) -> np.ndarray:
+    """(k,) whether all of each obstacle, or rather of the box around it, is farther than ``margin`` [m] from wherever a
+    cable of ``length`` [m] (stretched, if it stretches) can be that is held at a (3,) and b (3,) [m], or at a alone if
+    b is None. Never True if any of it is nearer."""
+    reach = Spheroid.of(length, a, b)
+    far = reach.far_from(np.array([o.bounds for o in obstacles]).reshape(-1, 2, 3), margin)
+    for i, obstacle in enumerate(obstacles):
+        if isinstance(obstacle, HalfSpace):
+            lowest = -reach.support(-obstacle.normal[None])[0]
+            far[i] = lowest - obstacle.point @ obstacle.normal > margin
+    return far
