@@ -70,7 +70,7 @@ def table(field, value, least=1):
     good = np.abs(array) <= LARGEST
     if not good.all():
         i, j = np.argwhere(~good)[0]
-        number(f"{field}[{i}][{j}]", array[i, j])
+        number(f"{field}[{i}][{j}]", float(array[i, j]))
     array.flags.writeable = False
     return array
 
