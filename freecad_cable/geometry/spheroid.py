@@ -66,23 +66,25 @@ class Spheroid:
         ``margin`` away.
 
         True only with a plane that parts the two by more than the margin, found by projecting between box and
-        spheroid. What is not decided after some rounds, being all but at the margin, counts as near.
+        spheroid (Beck, Teboulle, "A fast iterative shrinkage-thresholding algorithm", SIAM J Imaging Sci 2, 2009, for
+        the momentum). What is not decided after some rounds, being all but at the margin, counts as near.
         """
         bounds = np.asarray(bounds, float)
         far = np.zeros(len(bounds), bool)
         open_ = np.arange(len(bounds))
-        inside = np.broadcast_to(self.center, (len(bounds), 3))
-        for _ in range(ROUNDS):
+        last = in_box = np.clip(self.center, bounds[:, 0], bounds[:, 1])
+        for k in range(ROUNDS):
             low, high = bounds[open_, 0], bounds[open_, 1]
-            in_box = np.minimum(np.maximum(inside, low), high)
-            inside = self.nearest(in_box)
+            # Projecting to and fro is a proximal gradient step; from a point ahead it needs the root of the steps.
+            inside = self.nearest(in_box + k / (k + 3) * (in_box - last))
+            last, in_box = in_box, np.clip(inside, low, high)
             gap = in_box - inside
             apart = np.linalg.norm(gap, axis=1)
             normal = gap / np.maximum(apart, 1e-300)[:, None]
             parted = _least(normal, low, high) - self.support(normal) > margin
             far[open_[parted]] = True
             undecided = ~parted & (apart > margin)
-            open_, inside = open_[undecided], inside[undecided]
+            open_, last, in_box = open_[undecided], last[undecided], in_box[undecided]
             if not len(open_):
                 break
         return far
