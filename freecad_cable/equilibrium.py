@@ -7,7 +7,16 @@ from .errors import SolverMissingError
 from .geometry import rotation
 from .problem import Clamped, Pinned, Scene
 from .problem.reduce import Model, orientation, reduce
-from .result import Balance, Energy, Load, Solution, balance, end_violation, smallest_bend_radius
+from .result import (
+    Balance,
+    Energy,
+    Load,
+    Solution,
+    balance,
+    end_violation,
+    smallest_bend_radius,
+    support_violation,
+)
 from .status import Status
 
 NO_SLACK = 1e-7
@@ -20,7 +29,7 @@ NEAR = 0.1
 """Change of length, of an end's place in lengths and of its direction in half turns, up to which an earlier shape is
 a start."""
 HELD = 1e-5
-"""Violation of an end condition above which no answer passes; the solver leaves 1e-7 at most."""
+"""Violation of an end or a support above which no answer passes; the solver leaves 1e-7 at most."""
 UNBALANCED = 0.2
 """Residual of the independent balance check above which no answer passes as one. Splines through the nodes of
 good answers stay below 0.1, those of wrong ones reach 1."""
@@ -146,9 +155,12 @@ def _solution(problem, trial, model: Model) -> Solution:
     force, moment = shape.force * scaling.force, shape.moment * scaling.energy
     curvature = shape.strain[:, :3] / length
     check = _balance(rod, scene.weight, scaling, shape)
-    status, message = _verdict(
-        scene, trial, check, end_violation(scene, position, shape.quaternion)
+    nodes = tuple(joint.node for joint in shape.joints)
+    violation = max(
+        end_violation(scene, position, shape.quaternion),
+        support_violation(scene, nodes, arc_length, position, shape.quaternion),
     )
+    status, message = _verdict(scene, trial, check, violation)
     return Solution(
         scene=scene,
         status=status,
@@ -166,7 +178,7 @@ def _solution(problem, trial, model: Model) -> Solution:
             Load(joint.force * scaling.force, joint.moment * scaling.energy)
             for joint in shape.joints
         ),
-        support_nodes=tuple(joint.node for joint in shape.joints),
+        support_nodes=nodes,
         min_bend_radius=min(
             smallest_bend_radius(part.arc_length * length, part.strain[:, :3] / length)
             for part in shape.parts()
@@ -211,7 +223,7 @@ def _verdict(scene, trial, check, violation):
     if violation > HELD:
         return (
             Status.NOT_CONVERGED,
-            f"{Status.NOT_CONVERGED.value} The shape it ended with is not held as its ends say.",
+            f"{Status.NOT_CONVERGED.value} The shape it ended with is not held as its ends and supports say.",
         )
     if max(check.moment, check.force) > UNBALANCED:
         return Status.INACCURATE, (

@@ -3,7 +3,7 @@
 
 from .balance import Balance, balance
 from .bend import smallest_bend_radius
-from .ends import end_violation
+from .ends import end_violation, support_violation
 from .solution import Energy, Load, Solution
 
 __all__ = [
@@ -14,4 +14,5 @@ __all__ = [
     "balance",
     "end_violation",
     "smallest_bend_radius",
+    "support_violation",
 ]

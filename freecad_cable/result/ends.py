@@ -4,7 +4,8 @@
 import numpy as np
 
 from ..geometry import rotation
-from ..problem import Clamped, Pinned, Swivel
+from ..problem import Clamp, Clamped, Pinned, Ring, Sleeve, Swivel
+from ..problem.reach import play
 
 
 def end_violation(scene, position, quaternion) -> float:
@@ -19,4 +20,27 @@ def end_violation(scene, position, quaternion) -> float:
             found.append(np.linalg.norm(frame[:, 2] - end.tangent))
         if isinstance(end, Clamped):
             found.append(np.abs(frame - rotation.matrix(end.quaternion)).max())
+    return float(max(found))
+
+
+def support_violation(scene, nodes, arc_length, position, quaternion) -> float:
+    """Largest violation of a support at ``nodes``, as above; given arc lengths relative to the length too. Infinite
+    where the supports are not in order along the cable."""
+    found, length = [0.0], scene.rod.length
+    if (np.diff(arc_length[[0, *nodes, -1]]) <= 0).any():
+        return float("inf")
+    for support, node in zip(scene.supports, nodes, strict=True):
+        offset = position[node] - support.position
+        frame = rotation.matrix(quaternion[node])
+        if not support.slides:
+            found.append(abs(arc_length[node] - support.arc_length) / length)
+        if isinstance(support, Ring):
+            found.append(abs(offset @ support.axis) / length)
+            found.append((np.linalg.norm(offset) - play(support, scene.rod)) / length)
+        else:
+            found.append(np.linalg.norm(offset) / length)
+        if isinstance(support, Sleeve):
+            found.append(np.linalg.norm(frame[:, 2] - support.tangent))
+        if isinstance(support, Clamp):
+            found.append(np.abs(frame - rotation.matrix(support.quaternion)).max())
     return float(max(found))
