@@ -5,8 +5,8 @@ import numpy as np
 
 from .errors import SolverMissingError
 from .geometry import rotation
-from .problem import Clamped, Pinned, Scene
-from .problem.reduce import Model, orientation, reduce
+from .problem import Scene
+from .problem.reduce import Model, reduce
 from .result import (
     Balance,
     Energy,
@@ -14,6 +14,7 @@ from .result import (
     Solution,
     balance,
     end_violation,
+    is_near,
     smallest_bend_radius,
     support_violation,
 )
@@ -25,9 +26,6 @@ computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 
 HEAVIEST = 5e6
 """Weight ratio above which no case was ever solved; a wrong unit is likelier than such a cable."""
-NEAR = 0.1
-"""Change of length, of an end's place in lengths and of its direction in half turns, up to which an earlier shape is
-a start."""
 HELD = 1e-5
 """Violation of an end or a support above which no answer passes; the solver leaves 1e-7 at most."""
 UNBALANCED = 0.2
@@ -105,46 +103,44 @@ def _advice(scene):
 
 def _nodes(solution, problem):
     """The nodes of an earlier solution, without units, as a start for this one; None if it is too far."""
-    from .transcription.shape import Shape
+    from .transcription.shape import Joint, Shape
 
     scene, scaling = problem.scene, problem.scaling
-    if solution.position is None or not _near(solution, scene):
+    if solution.position is None or not is_near(solution, scene):
         return None
     span = solution.arc_length[-1]
-    curvature = np.hstack([solution.curvature * span, np.zeros_like(solution.curvature)])
+    frames = rotation.matrix(solution.quaternion)
+
+    def strain(curvature):
+        return np.concatenate([curvature * span, np.zeros_like(curvature)], axis=-1)
+
+    joints = []
+    for node, load in zip(solution.support_nodes, solution.support_reactions, strict=True):
+        moment = frames[node].T @ (solution.moment[node] - load.moment)
+        beyond = scene.rod.natural_curvature + moment / scene.rod.stiffness
+        force, turning = load.force / scaling.force, load.moment / scaling.energy
+        joints.append(Joint(node, strain(beyond), force, turning))
     return Shape(
-        solution.arc_length / span,
+        _arc_lengths(solution, scene),
         scaling.point(solution.position),
         rotation.continuous(solution.quaternion),
-        curvature,
+        strain(solution.curvature),
         solution.force / scaling.force,
         solution.moment / scaling.energy,
+        tuple(joints),
     )
 
 
-def _near(solution, scene) -> bool:
-    """Whether an earlier shape is so near that a cable moved from there to here would keep its branch. From
-    farther away the iteration may end on any, and the answer would depend on the history of the document."""
-    length = scene.rod.length
-    if abs(solution.arc_length[-1] / length - 1) > NEAR:
-        return False
-    for end, node in ((scene.start, 0), (scene.end, -1)):
-        if not isinstance(end, Pinned):
-            continue
-        moved = np.linalg.norm(solution.position[node] - end.position) / length
-        tangent, turned = orientation(end), 0.0
-        if tangent is not None:
-            turned = np.arccos(min(1.0, rotation.tangent(solution.quaternion[node]) @ tangent))
-        if isinstance(end, Clamped):
-            turn = rotation.multiply(rotation.conjugate(end.quaternion), solution.quaternion[node])
-            turned = 2 * np.arccos(min(1.0, abs(turn[0])))
-        if moved > NEAR or turned > np.pi * NEAR:
-            return False
-    # The old moments must be nearly those of this rod, or stiffness has changed by more than a start can bear.
-    frames = rotation.matrix(solution.quaternion)
-    moment = np.einsum("kij,ki->kj", frames, solution.moment)
-    ours = scene.rod.stiffness * (solution.curvature - scene.rod.natural_curvature)
-    return bool(np.abs(moment - ours).max() <= 0.5 * np.abs(ours).max())
+def _arc_lengths(solution, scene):
+    """Those of the nodes of an earlier solution, relative to the length, with those of the supports where they are
+    given now."""
+    before = solution.arc_length / solution.arc_length[-1]
+    given = [
+        (before[node], support.arc_length / scene.rod.length)
+        for node, support in zip(solution.support_nodes, scene.supports, strict=True)
+        if not support.slides
+    ]
+    return np.interp(before, *np.transpose([(0.0, 0.0), *given, (1.0, 1.0)]))
 
 
 def _solution(problem, trial, model: Model) -> Solution:

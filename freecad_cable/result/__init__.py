@@ -4,6 +4,7 @@
 from .balance import Balance, balance
 from .bend import smallest_bend_radius
 from .ends import end_violation, support_violation
+from .near import is_near
 from .solution import Energy, Load, Solution
 
 __all__ = [
@@ -13,6 +14,7 @@ __all__ = [
     "Solution",
     "balance",
     "end_violation",
+    "is_near",
     "smallest_bend_radius",
     "support_violation",
 ]

@@ -49,7 +49,9 @@ def _free(problem, warm):
     first = mesh.uniform(elements or mesh.COARSE, problem.breaks)
     found = None
     if warm is not None:
-        found = problem.solve(warm.on(warm.arc_length if elements is None else first))
+        places = [warm.arc_length[joint.node] for joint in warm.joints]
+        nodes = mesh.uniform(elements, places) if elements else warm.arc_length
+        found = problem.solve(warm.on(nodes))
         if found is not None and not found.stable:
             found = None
     if found is None:
