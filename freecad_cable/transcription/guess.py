@@ -80,7 +80,8 @@ def _curve(scene, scaling, arc_length, chain, sag):
     pieces = []
     if not isinstance(scene.start, Pinned):
         first = held[0]
-        here = arc_length[arc_length < first.arc_length]
+        whole = len(held) == 1 and isinstance(scene.end, Pinned)
+        here = arc_length if whole else arc_length[arc_length < first.arc_length]
         tangent = None if first.tangent is None else -first.tangent
         position, tangent = _hanging(first.position, tangent, weight, first.arc_length - here)
         pieces.append((position, -tangent))
