@@ -214,6 +214,12 @@ def _energy(problem, trial):
 
 
 def _verdict(scene, trial, check, violation):
+    if trial.slipped:
+        place = scene.supports[trial.slipped[0]].place
+        return Status.NOT_CONVERGED, (
+            f"{Status.NOT_CONVERGED.value} The cable slides through {place} until nothing is left on one side of it; "
+            "give that support an arc length, or hold the cable elsewhere."
+        )
     if not trial.stable:
         return Status.UNSTABLE, Status.UNSTABLE.value
     if violation > HELD:

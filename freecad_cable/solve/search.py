@@ -166,7 +166,7 @@ def _refined(problem, trial):
     tolerance = problem.scene.options.tolerance
     order = SCHEMES[problem.scheme].ORDER
     for _ in range(8):
-        if trial.error <= tolerance:
+        if trial.error <= tolerance or trial.slipped:
             return trial
         elements = len(trial.shape.steps)
         # Aim at half the tolerance; at least 1.2 times the elements, at most 4 times.

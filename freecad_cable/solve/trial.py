@@ -17,6 +17,7 @@ from ..transcription.shape import Shape
 from ..transcription.structure import Structure
 from ..transcription.supports import TIGHT
 from ..transcription.waypoints import breaks
+from ..transcription.writer import SHORTEST
 from . import backend, stability, strong_form
 
 LIMP = 1e-2
@@ -58,6 +59,8 @@ class Trial:
     @cached_property
     def error(self) -> float:
         """Estimate of the largest position error of a node, relative to the length."""
+        if self.slipped:
+            return np.inf
         if self.measured is not None:
             return self.measured
         structure = self.nlp.structure
@@ -79,6 +82,14 @@ class Trial:
         nodes = self.shape.position
         slopes = [contact.slope(nodes, features[:, i]) for i in range(rows.shape[1])]
         return push[..., None] * np.stack(slopes, axis=1)
+
+    @cached_property
+    def slipped(self) -> tuple[int, ...]:
+        """Supports that have slid as near to what is beside them as the program allows: no equilibrium."""
+        structure = self.nlp.structure
+        ends = self.shape.arc_length[[0, *structure.joints, structure.elements]]
+        short = np.diff(ends) < (1 + 1e-3) * SHORTEST
+        return tuple(int(j) for j in np.flatnonzero(structure.sliding) if short[j : j + 2].any())
 
     @cached_property
     def _second_variation(self):

@@ -28,7 +28,7 @@ PARAMETERS = {
 units (see ``scaling``)."""
 
 SHORTEST = 1e-3
-"""Length of a stretch, relative to the cable, below which no support slides."""
+"""Length of a stretch, relative to the cable, below which no support slides: there the cable slips out of it."""
 
 
 def _derived(rows, v, p, lam):
@@ -109,7 +109,7 @@ class Writer:
             rows = [ends.start_rows(structure, v[:3], v[3:7], values)]
             if not structure.slides:
                 return rows, []
-            return [*rows, v[nx - 1]], [v[nx - 2] - SHORTEST]
+            return [*rows, v[nx - 1]], [v[nx - 2] - SHORTEST] if structure.sliding[0] else []
 
         def end(v, p):
             values = {"end_position": p[:3], "end_quaternion": p[3:]}
@@ -126,7 +126,8 @@ class Writer:
                 rows = [supports.equations(kind, v[:3], v[3:7], values)]
                 bounds = [supports.play_left(kind, v[:3], values)]
                 if structure.slides:
-                    bounds.append(v[nx] - SHORTEST)
+                    if any(structure.sliding[j : j + 2]):
+                        bounds.append(v[nx] - SHORTEST)
                     if not structure.sliding[j]:
                         rows.append(v[nx - 1] + v[nx - 2] - values["arc_length"])
                 return rows, bounds
