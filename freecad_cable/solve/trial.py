@@ -12,12 +12,12 @@ from ..problem import Clamp, Ring, Scene
 from ..problem.reduce import Model
 from ..transcription import contact, layout
 from ..transcription.nlp import Nlp, build, pack
+from ..transcription.rows import SHORTEST
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
 from ..transcription.structure import Structure
 from ..transcription.supports import TIGHT
 from ..transcription.waypoints import breaks
-from ..transcription.writer import SHORTEST
 from . import backend, stability, strong_form
 
 LIMP = 1e-2
@@ -27,8 +27,8 @@ LEADEN = 3e5
 
 
 ACTING = 1e-6
-"""Push of a bound, in units of force, below which it is none: the solvers leave their tolerance of 1e-9 over the distance
-to a bound that does not act."""
+"""Push of a bound, in units of force, below which it is none: the solvers leave their tolerance of 1e-9 over the
+distance to a bound that does not act."""
 
 
 class TimeUpError(Exception):

@@ -10,9 +10,10 @@ and their values sorted into place, so that writing costs next to nothing howeve
 import casadi as ca
 import numpy as np
 
-from . import contact, ends, supports
+from . import contact, supports
 from .element_functions import element
 from .numbering import Numbering
+from .rows import derived, holders
 
 PARAMETERS = {
     "stiffness": 6,
@@ -27,19 +28,6 @@ PARAMETERS = {
 """Sizes of the parameters beside those of the supports, the element lengths and the features of obstacles, all without
 units (see ``scaling``)."""
 
-SHORTEST = 1e-3
-"""Length of a stretch, relative to the cable, below which no support slides: there the cable slips out of it."""
-
-
-def _derived(rows, v, p, lam):
-    """Functions (v, p) → rows, (v, p) → their Jacobian, (v, p, λ) → Hessian of λ·rows, the last two dense."""
-    slope, bent = ca.jacobian(rows, v), ca.hessian(ca.dot(lam, rows), v)[0]
-    return (
-        ca.Function("rows", [v, p], [rows]),
-        ca.Function("slope", [v, p], [ca.densify(slope)]),
-        ca.Function("bent", [v, p, lam], [ca.densify(bent)]),
-    )
-
 
 class Writer:
     """Collects rows and derivatives. ``x``, ``g``, ``f``, ``p`` and the like are MX columns."""
@@ -50,7 +38,11 @@ class Writer:
         self.x = ca.MX.sym("x", self.numbers.size)
         self.factor = ca.MX.sym("lam_f")
         self._read_parameters()
-        self.holders = self._holders()
+        start, end = (
+            ca.vertcat(self.named[f"{place}_position"], self.named[f"{place}_quaternion"])
+            for place in ("start", "end")
+        )
+        self.holders = holders(structure, self.numbers, start, end, self.supports)
         self._number_rows()
         self.multipliers = ca.MX.sym("lam_g", len(self.equality))
         self.row_terms, self.slope_terms = [], []
@@ -83,65 +75,6 @@ class Writer:
         ]
         self.steps, self.features = next(parts), next(parts)
 
-    def _holders(self):
-        """What holds a stage: {stage: (functions of its rows, indices of its variables, parameters, number of equations,
-        number of bounds)}."""
-        structure, numbers, named = self.structure, self.numbers, self.named
-        nx, last = numbers.nx, structure.elements
-        poses = {
-            place: ca.vertcat(named[f"{place}_position"], named[f"{place}_quaternion"])
-            for place in ("start", "end")
-        }
-        found = {}
-
-        def hold(k, variables, parameters, write):
-            v = ca.SX.sym("v", len(variables))
-            p = ca.SX.sym("p", parameters.numel())
-            equations, bounds = (ca.SX(ca.vertcat(*rows)) for rows in write(v, p))
-            rows = ca.vertcat(equations, bounds)
-            lam = ca.SX.sym("lam", rows.numel())
-            sizes = equations.numel(), bounds.numel()
-            if sum(sizes):
-                found[k] = (_derived(rows, v, p, lam), variables, parameters, *sizes)
-
-        def start(v, p):
-            values = {"start_position": p[:3], "start_quaternion": p[3:]}
-            rows = [ends.start_rows(structure, v[:3], v[3:7], values)]
-            if not structure.slides:
-                return rows, []
-            return [*rows, v[nx - 1]], [v[nx - 2] - SHORTEST] if structure.sliding[0] else []
-
-        def end(v, p):
-            values = {"end_position": p[:3], "end_quaternion": p[3:]}
-            rows = [ends.end_rows(structure, v[:3], v[3:7], values)]
-            return rows + ([v[nx - 1] + v[nx - 2] - 1] if structure.slides else []), []
-
-        def support(j):
-            def write(v, p):
-                offsets = np.concatenate([[0], np.cumsum([*supports.PARAMETERS.values()])])
-                values = dict(
-                    zip(supports.PARAMETERS, ca.vertsplit(p, offsets.tolist()), strict=True)
-                )
-                kind = structure.supports[j]
-                rows = [supports.equations(kind, v[:3], v[3:7], values)]
-                bounds = [supports.play_left(kind, v[:3], values)]
-                if structure.slides:
-                    if any(structure.sliding[j : j + 2]):
-                        bounds.append(v[nx] - SHORTEST)
-                    if not structure.sliding[j]:
-                        rows.append(v[nx - 1] + v[nx - 2] - values["arc_length"])
-                return rows, bounds
-
-            return write
-
-        hold(0, numbers.states[0], poses["start"], start)
-        hold(last, numbers.states[last], poses["end"], end)
-        for j, node in enumerate(structure.joints):
-            beyond = [numbers.stretch[node]] if structure.slides else []
-            variables = np.concatenate([numbers.states[node], beyond]).astype(int)
-            hold(node, variables, self.supports[j], support(j))
-        return found
-
     def _number_rows(self):
         """Every stage has its gap, equations, bounds of what holds it, of obstacles, and of the curvature."""
         structure, numbers = self.structure, self.numbers
@@ -167,7 +100,7 @@ class Writer:
                 equality += [True] * nx
             begin = len(equality)
             if k in self.holders:
-                equations, bounds = self.holders[k][3:]
+                equations, bounds = self.holders[k].equations, self.holders[k].bounds
                 self.held_rows[k] = range(begin, begin + equations + bounds)
                 equality += [True] * equations + [False] * bounds
             if structure.contacts and free[k]:
@@ -282,22 +215,21 @@ class Writer:
             carry(np.array([nx - 1]), [numbers.states[:-1, nx - 1 :], before])
 
     def _held(self):
-        for k, ((held, slope, bent), variables, parameters, *_) in self.holders.items():
-            rows = np.array(self.held_rows[k])
-            values = self.x[variables.tolist()]
-            self.row_terms.append((rows, held(values, parameters)))
-            slopes = ca.vec(slope(values, parameters))
-            self.slope_terms.append(
-                (np.tile(rows, len(variables)), np.repeat(variables, len(rows)), slopes)
-            )
+        for k, held in self.holders.items():
+            rows, variables = np.array(self.held_rows[k]), held.variables
+            values, slope, bent = held.functions
+            given = self.x[variables.tolist()], held.parameters
+            self.row_terms.append((rows, values(*given)))
+            columns = np.tile(rows, len(variables)), np.repeat(variables, len(rows))
+            self.slope_terms.append((*columns, ca.vec(slope(*given))))
             multipliers = self.multipliers[rows.tolist()]
-            self._add_hessian(variables[None], bent(values, parameters, multipliers))
+            self._add_hessian(variables[None], bent(*given, multipliers))
 
     def _map_bounds(self, gap, variables, parameters, rows):
         """Bounds gap(variables, parameters) ≥ 0, one a column: ``variables`` (bounds, c)."""
         v, p = ca.SX.sym("v", variables.shape[1]), ca.SX.sym("p", parameters.shape[0])
         lam = ca.SX.sym("lam")
-        value, slope, bent = (f.map(len(rows)) for f in _derived(gap(v, p), v, p, lam))
+        value, slope, bent = (f.map(len(rows)) for f in derived(gap(v, p), v, p, lam))
         given = self._take(variables), parameters
         self.row_terms.append((rows, ca.vec(value(*given))))
         columns = np.repeat(rows, variables.shape[1]), variables.ravel()

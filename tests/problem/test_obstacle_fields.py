@@ -34,12 +34,6 @@ def test_every_kind_is_read(data):
     assert obstacles[3].quaternion.tolist() == [1, 0, 0, 0]
 
 
-def test_they_are_not_yet_solved(changed):
-    scene = read_scene(changed("obstacles", [{"kind": "sphere", **RIGHT["sphere"]}]))
-    with pytest.raises(NotYetError, match="obstacles: are not yet solved"):
-        find_equilibrium(scene)
-
-
 @pytest.mark.parametrize(
     ("kind", "name", "value", "field", "message"),
     [
