@@ -13,7 +13,7 @@ import numpy as np
 
 from ..errors import ProblemError
 from ..geometry import rotation
-from ..geometry.nearest import FLAT, LINE, POINT, Nearest, measured, perpendicular
+from ..geometry.nearest import FLAT, LINE, POINT, ROUNDING, Nearest, measured, perpendicular
 from .checked import direction, number, vector
 
 
@@ -121,9 +121,9 @@ class Cylinder(Obstacle):
             np.where(along > height / 2, height, 0.0),
         )
         over_wall, over_cap = off - self.radius, side * (along - top)
-        outward = np.where(
-            off[:, None] > 0, across / np.maximum(off, 1e-300)[:, None], perpendicular(axis[None])
-        )
+        aside = off > ROUNDING * np.abs(along)
+        outward = across / np.where(aside, off, 1.0)[:, None]
+        outward = np.where(aside[:, None], outward, perpendicular(axis[None]))
         cap_normal = side[:, None] * axis
 
         at_rim = (over_wall > 0) & (over_cap > 0)

@@ -77,6 +77,8 @@ def test_inside_at_a_reentrant_edge_the_way_out_is_to_the_edge(meshes):
     assert outside.feature.tolist() == [FLAT, FLAT]
     assert outside.normal[0] == pytest.approx([1, 0, 0])
     assert outside.distance == pytest.approx([0.1, 0])
+    # On the hollow edge itself, the normal is that of either face and not one between.
+    assert sorted(np.abs(outside.normal[1])) == pytest.approx([0, 0, 1])
 
 
 @pytest.mark.parametrize(

@@ -167,6 +167,7 @@ def test_at_its_middle_there_is_a_normal(name):
     found = solid.nearest(np.array([middle[name]]))
     assert found.distance[0] == pytest.approx(-solid.radius)
     assert norm(found.normal[0]) == pytest.approx(1)
+    assert found.normal[0] @ found.direction[0] == pytest.approx(0)
 
 
 def test_a_tube_is_a_row_of_cylinders_and_balls():
