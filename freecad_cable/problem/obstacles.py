@@ -7,6 +7,7 @@ wherever that feature is the nearest. Inside a convex solid the nearest face is 
 """
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -196,7 +197,7 @@ class Box(Obstacle):
             normal @ turn.T,
         )
 
-    @property
+    @cached_property
     def bounds(self):
         half = np.abs(rotation.matrix(self.quaternion)) @ self.size / 2
         return np.array([self.position - half, self.position + half])
