@@ -15,6 +15,7 @@ from ..problem import Free
 from ..problem.surroundings import out_of_reach
 from ..transcription import contact
 from ..transcription.shape import Shape
+from . import mesh
 from .trial import Problem, TimeUpError, Trial
 
 NEAR = 0.1
@@ -31,7 +32,11 @@ INSIDE = 4
 """Samples of an element between its nodes."""
 STRETCH = 1.05
 """By how much more than its length a cable that stretches is taken to reach."""
-FINEST = 512
+FIRST = 64
+"""Elements of the first mesh."""
+MESHES = (96, 96, 128, 128, 192, 256)
+GATHER = 6.0
+"""Factor by which nodes draw nearer, from mesh to mesh, to where contact begins and ends."""
 
 
 class Surroundings:
@@ -153,35 +158,47 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
         return trial
     if problem.scene.options.elements is not None:
         return _settled(problem, around_it, trial.shape, leaving=True)
-    best, shape = None, trial.shape.on(_halved(trial.shape.arc_length))
+    arc_length = mesh.refined(trial.shape, FIRST)
+    found = _settled(problem, around_it, trial.shape.on(arc_length), leaving=True)
+    width = 1 / FIRST
     try:
-        while len(shape.steps) <= FINEST:
-            finer = _settled(problem, around_it, shape, leaving=best is None)
+        for elements in MESHES:
+            if found is None:
+                return None
+            width /= GATHER
+            places = _places(found, around_it)
+            start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
+            finer = _settled(problem, around_it, start)
             if finer is None:
-                return best
-            if best is not None:
-                moved = finer.shape.position[::2] - best.shape.position
-                error = float(np.linalg.norm(moved, axis=1).max())
-                finer = replace(finer, measured=error)
-                if (
-                    error <= problem.scene.options.tolerance
-                    and around_it.between(finer.shape).min() >= -deepest
-                ):
-                    return finer
-            best = finer
-            shape = finer.shape.on(_halved(finer.shape.arc_length))
+                return found
+            moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
+            error = float(np.linalg.norm(moved, axis=1).max())
+            found = replace(finer, measured=error)
+            settled = around_it.between(found.shape).min() >= -deepest
+            if settled and error <= problem.scene.options.tolerance:
+                break
     except TimeUpError:
-        if best is None:
+        if found is None or found.measured is None:
             raise
-    return best
+    return found
 
 
-def _halved(arc_length):
-    middle = (arc_length[1:] + arc_length[:-1]) / 2
-    return np.sort(np.concatenate([arc_length, middle]))
+def _places(trial, around_it):
+    """Arc lengths where contact begins or ends, or is at a point."""
+    acting = np.linalg.norm(trial.contact_forces, axis=2).any(axis=1)
+    s = trial.shape.arc_length
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], acting.astype(int), [0]])))
+    places = []
+    for a, b in zip(edges[::2], edges[1::2] - 1, strict=True):
+        places += [s[a]] if a == b else [s[a], s[b]]
+    deep = around_it.between(trial.shape)
+    worst = int(np.argmin(deep))
+    if deep[worst] < -PENETRATION * around_it.radius:
+        places.append((s[worst] + s[worst + 1]) / 2)
+    return places
 
 
-def _settled(problem, around_it, shape, leaving):
+def _settled(problem, around_it, shape, leaving=False):
     """Solve on the nodes of ``shape`` until the features are those of the solution."""
     settled = SETTLED * around_it.radius
     for turn in range(PASSES):
@@ -191,12 +208,18 @@ def _settled(problem, around_it, shape, leaving):
         if trial is None:
             return None
         gap = around_it.gaps(trial.shape)
-        acting = np.zeros_like(gap, bool)
-        if features is not None:
-            pushed = np.linalg.norm(trial.contact_forces, axis=2) > 0
-            nodes, slots = np.nonzero(pushed)
-            acting[owners[nodes, slots], nodes] = True
-        if gap.min() > -settled and not (gap[acting] > settled).any():
+        if gap.min() > -settled and _staleness(trial, owners, gap) < settled:
             return trial
         shape = trial.shape
     return None
+
+
+def _staleness(trial, owners, gap) -> float:
+    """Largest difference between the gap to a feature that pushes and the gap to its obstacle."""
+    if owners is None:
+        return 0.0
+    nodes, slots = np.nonzero(np.linalg.norm(trial.contact_forces, axis=2))
+    features = trial.values["features"][nodes, slots]
+    given = contact.value(trial.shape.position[nodes], features)
+    there = gap[owners[nodes, slots], nodes]
+    return float(np.abs(given - there).max(initial=0.0))

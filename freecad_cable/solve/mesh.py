@@ -90,15 +90,39 @@ def _density(shape):
     return (bend + 1e-6 * bend.max() + 1e-9) ** (1 / 3)
 
 
+def gathered(shape, elements, places, width) -> np.ndarray:
+    """(n+1,) arc lengths that suit a shape, half of them gathered about some ``places``, to a distance ``width`` from
+    each: where a force acts at a point, the nearest node decides how well."""
+    bends = [_density(part) for part in shape.parts()]
+    s = np.concatenate([part.arc_length for part in shape.parts()])
+    density = np.concatenate(bends)
+    fine = np.unique(
+        np.concatenate(
+            [s, *(c + np.array([-1, 1])[:, None] * _decades(width) for c in places)], axis=None
+        )
+    )
+    fine = fine[(fine >= 0) & (fine <= 1)]
+    near = sum(1 / (np.abs(fine - c) + width) for c in places)
+    density = np.interp(fine, s, density)
+    density = density / trapezoid(density, fine) + near / trapezoid(near, fine)
+    breaks = [shape.arc_length[joint.node] for joint in shape.joints]
+    return _by_stretches(fine, density, elements, breaks, floor=0.1)
+
+
+def _decades(width):
+    """Distances from ``width``/4 to 1 and 0, by equal factors."""
+    return np.concatenate([[0.0], np.geomspace(width / 4, 1, 120)])
+
+
 def size(elements) -> int:
     """The next count that refinement may choose; the finest if there is none."""
     return next((n for n in SIZES if n >= elements), SIZES[-1])
 
 
-def _by_stretches(s, density, elements, breaks):
+def _by_stretches(s, density, elements, breaks, floor=1 / 3):
     """Nodes for a density (m,) at s (m,), which may jump where s repeats; each stretch gets whole elements."""
     if not len(breaks):
-        return _equidistributed(s, density, elements)
+        return _equidistributed(s, density, elements, floor)
     cumulative = _cumulative(s, density)
     places = np.array([0.0, *breaks, 1.0])
     share = np.diff(np.interp(places, s, cumulative)) / cumulative[-1]
@@ -112,7 +136,7 @@ def _by_stretches(s, density, elements, breaks):
             if inside.sum() < 2
             else np.concatenate([density[inside][:1], density[inside], density[inside][-1:]])
         )
-        nodes.append(a + (b - a) * _equidistributed((own - a) / (b - a), values, count)[1:])
+        nodes.append(a + (b - a) * _equidistributed((own - a) / (b - a), values, count, floor)[1:])
     return np.concatenate(nodes)
 
 
@@ -120,10 +144,10 @@ def _cumulative(s, density):
     return np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * np.diff(s))])
 
 
-def _equidistributed(s, density, elements):
+def _equidistributed(s, density, elements, floor):
+    """``floor``, a share of the average density: with 1/3 the largest element is at most four times the average."""
     cumulative = _cumulative(s, density)
-    # A floor on the density keeps the largest element at most four times the average.
-    cumulative = cumulative / cumulative[-1] + s / 3
+    cumulative = cumulative / cumulative[-1] + floor * s
     nodes = np.interp(np.linspace(0, cumulative[-1], elements + 1), cumulative, s)
     nodes[0], nodes[-1] = 0.0, 1.0
     return nodes

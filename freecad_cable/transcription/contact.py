@@ -46,6 +46,14 @@ def parameters(nearest, keep) -> np.ndarray:
     )
 
 
+def value(r, features) -> np.ndarray:
+    """(m,) g at points (m, 3)."""
+    offset = r - features[:, :3]
+    about = np.einsum("ki,ki->k", features[:, 6:9], offset)
+    round_part = features[:, 9] * (offset**2).sum(axis=1) - features[:, 10] * about**2
+    return np.einsum("ki,ki->k", features[:, 3:6], offset) + round_part / 2 - features[:, 11]
+
+
 def slope(r, features) -> np.ndarray:
     """(m, 3) gradients of g at points (m, 3)."""
     c, n, a = features[:, :3], features[:, 3:6], features[:, 6:9]

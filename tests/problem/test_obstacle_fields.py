@@ -4,8 +4,7 @@
 import numpy as np
 import pytest
 
-from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.errors import NotYetError, ProblemError
+from freecad_cable.errors import ProblemError
 from freecad_cable.problem import Mesh, Tube
 from freecad_cable.problem.scene_file import read_scene
 

@@ -6,8 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.errors import NotYetError, ProblemError
+from freecad_cable.errors import ProblemError
 from freecad_cable.problem.scene_file import read_scene
 
 NAN, INFINITE = float("nan"), float("inf")
@@ -137,11 +136,3 @@ def test_ends_that_hold_nothing(data, start, end, gravity, field):
     with pytest.raises(ProblemError) as caught:
         read_scene(data)
     assert caught.value.field == field
-
-
-def test_supports_are_read_but_not_yet_solved(changed):
-    ring = {"kind": "ring", "position": [0.05, -0.1, 0.1], "axis": [0, 0, 2], "radius": 0.01}
-    scene = read_scene(changed("supports", [ring]))
-    assert scene.supports[0].axis.tolist() == [0, 0, 1]
-    with pytest.raises(NotYetError, match="supports: are not yet solved"):
-        find_equilibrium(scene)
