@@ -48,8 +48,9 @@ class Frames:
     def axis(self, k):
         """d_k (k = 0, 1, 2) with its first and second derivative, each (n, 3)."""
         d = self.axes[:, :, k]
-        first = np.cross(self.spin, d)
-        return d, first, np.cross(self.spin_rate, d) + np.cross(self.spin, first)
+        first = rotation.cross(self.spin, d)
+        second = rotation.cross(self.spin_rate, d) + rotation.cross(self.spin, first)
+        return d, first, second
 
     def untwisted(self):
         """The same centreline with frames carried along without twist.
@@ -58,7 +59,7 @@ class Frames:
         """
         t, first, second = self.axis(2)
         axes = _untwisted(self.axes, self.twist)
-        spin, spin_rate = np.cross(t, first), np.cross(t, second)
+        spin, spin_rate = rotation.cross(t, first), rotation.cross(t, second)
         return Frames(
             self.parameter, self.position, axes, spin, spin_rate, np.zeros_like(self.twist)
         )
@@ -102,16 +103,15 @@ def frames(nodes) -> list[Frames]:
 def _run(start, twist, s, position, axes, curvature) -> Frames:
     """The frames of one run that begins at the parameter ``start`` with ``twist``."""
     step = np.diff(s)
-    order = min(2, len(step))
     bend_1, bend_2, third = curvature.T
-    slope = np.gradient(third, s, edge_order=order)
+    slope = _slopes(step, curvature[:, 2:])[:, 0]
     turns = step / 2 * (third[:-1] + third[1:]) + step**2 / 12 * (slope[:-1] - slope[1:])
     twist = twist + np.concatenate(([0.0], np.cumsum(turns)))
     # Differences between the nodes are taken in frames without twist, which may be fast.
     plain = _untwisted(axes, twist)
     cosine, sine = np.cos(twist), np.sin(twist)
     k = np.stack([cosine * bend_1 - sine * bend_2, sine * bend_1 + cosine * bend_2, third], axis=1)
-    rate = np.gradient(k, s, axis=0, edge_order=order) + np.cross(k * (1, 1, 0), k)
+    rate = _slopes(step, k) + rotation.cross(k * (1, 1, 0), k)
     spin, spin_rate = (np.einsum("nij,nj->ni", plain, x) for x in (k, rate))
     elongation = _elongation(Frames(s, position, axes, spin, spin_rate, twist))
     parameter = start + np.concatenate(([0.0], np.cumsum(step * elongation)))
@@ -136,8 +136,8 @@ def _jumps(step, mean):
     change = np.linalg.norm(np.diff(mean, axis=0), axis=1)
     distance = (step[:-1] + step[1:]) / 2
     rate = change / distance
-    padded = np.pad(rate, 2, constant_values=np.inf)
-    around = np.sort([np.roll(padded, k)[2:-2] for k in (-2, -1, 1, 2)], axis=0)[1]
+    padded = np.concatenate((2 * [np.inf], rate, 2 * [np.inf]))
+    around = np.sort([padded[:-4], padded[1:-3], padded[3:-1], padded[4:]], axis=0)[1]
     sudden = rate > JUMP * around
     return [int(k) + 1 for k in np.flatnonzero(sudden & (change * distance > JUMP_TURN))]
 
@@ -149,6 +149,11 @@ def _at_nodes(step, mean):
     weight = (step[:-1] / (step[:-1] + step[1:]))[:, None]
     inner = mean[:-1] + weight * (mean[1:] - mean[:-1])
     return np.concatenate((2 * mean[:1] - inner[:1], inner, 2 * mean[-1:] - inner[-1:]))
+
+
+def _slopes(step, value):
+    """Derivatives at the nodes (m+1, d) of values (m+1, d) there, order 2."""
+    return _at_nodes(step, np.diff(value, axis=0) / step[:, None])
 
 
 def _elongation(unstretched):

@@ -4,6 +4,7 @@
 import numpy as np
 
 from ..errors import DocumentError
+from ..geometry import rotation
 
 CHORDS = 4
 """Chords per span …"""
@@ -41,7 +42,7 @@ def refuse_overlap(pieces, radius):
     first, second = _between(point, i, share_i), _between(point, j, share_j)
     distance = np.linalg.norm(second - first, axis=1)
     reach = sum(
-        np.linalg.norm(np.cross(second - first, _between(tangent, k, share)), axis=1)
+        np.linalg.norm(rotation.cross(second - first, _between(tangent, k, share)), axis=1)
         for k, share in ((i, share_i), (j, share_j))
     ) / np.maximum(distance, 1e-300)
     # Where the two points are one there is no line between them; they meet, but for the two ends.

@@ -10,6 +10,8 @@ import numpy as np
 
 DEGREE = 5
 
+BINOMIALS = {4: (1, 4, 6, 4, 1), 5: (1, 5, 10, 10, 5, 1)}
+
 
 @dataclass(frozen=True, eq=False)
 class Quintic:
@@ -34,21 +36,23 @@ class Quintic:
         Spans are halved until they fit. Poles that say nothing new would make every later operation on
         the shape slow.
         """
-        last = len(self.parameter) - 1
-        keep = np.array([0, last])
-        while True:
-            coarse = Quintic(*(x[keep] for x in vars(self).values()))
-            span = np.clip(
-                np.searchsorted(keep, np.arange(last + 1), "right") - 1, 0, len(keep) - 2
-            )
-            share = (self.parameter - coarse.parameter[span]) / coarse.step[span]
-            value = np.einsum("nk,nkd->nd", bernstein(DEGREE, share), coarse.bezier()[span])
-            off = (np.abs(value - self.value) > tolerance).any(axis=1)
-            off[keep] = False
-            if not off.any():
-                return coarse
-            halve = np.unique(span[off])
-            keep = np.union1d(keep, (keep[halve] + keep[halve + 1]) // 2)
+        spans = [(0, len(self.parameter) - 1)]
+        for span in spans:
+            spans += _halves(*span)
+        # All at once, because that is quicker than one after the other as they are needed.
+        start, end = np.array(spans).T
+        knot = np.concatenate([np.arange(a + 1, b) for a, b in spans])
+        span = np.repeat(np.arange(len(spans)), end - start - 1)
+        begin = self.parameter[start]
+        share = (self.parameter[knot] - begin[span]) / (self.parameter[end] - begin)[span]
+        value = np.einsum("nk,nkd->nd", bernstein(DEGREE, share), self.bezier(start, end)[span])
+        off = (np.abs(value - self.value[knot]) > tolerance).any(axis=1)
+        misfits = {spans[k] for k in span[off].tolist()}
+        chosen = spans[:1]
+        for span in chosen:
+            chosen += _halves(*span) if span in misfits else []
+        keep = sorted({spans[0][1], *(a for a, _ in chosen)})
+        return Quintic(*(x[keep] for x in vars(self).values()))
 
     def cut(self, ratio) -> "list[Quintic]":
         """The function in as few pieces as are each at most ``ratio`` times as long as their shortest span."""
@@ -64,12 +68,12 @@ class Quintic:
             for a, b in zip(ends[:-1], ends[1:], strict=True)
         ]
 
-    def bezier(self):
-        """(n-1, 6, d) Bézier points of the spans."""
-        h = self.step[:, None]
-        f0, f1 = self.value[:-1], self.value[1:]
-        g0, g1 = h / 5 * self.first[:-1], h / 5 * self.first[1:]
-        c0, c1 = h**2 / 20 * self.second[:-1], h**2 / 20 * self.second[1:]
+    def bezier(self, start=slice(None, -1), end=slice(1, None)):
+        """(m, 6, d) Bézier points of the spans between the knots ``start`` (m,) and ``end`` (m,)."""
+        h = (self.parameter[end] - self.parameter[start])[:, None]
+        f0, f1 = self.value[start], self.value[end]
+        g0, g1 = h / 5 * self.first[start], h / 5 * self.first[end]
+        c0, c1 = h**2 / 20 * self.second[start], h**2 / 20 * self.second[end]
         return np.stack([f0, f0 + g0, f0 + 2 * g0 + c0, f1 - 2 * g1 + c1, f1 - g1, f1], axis=1)
 
     def at(self, share):
@@ -113,6 +117,12 @@ def joined(pieces, continuity):
 
 def bernstein(degree, share):
     """(m, degree + 1) Bernstein polynomials at ``share`` (m,)."""
-    binomial = np.array({4: [1, 4, 6, 4, 1], 5: [1, 5, 10, 10, 5, 1]}[degree])
-    u, k = np.asarray(share, float)[:, None], np.arange(degree + 1)
-    return binomial * u**k * (1 - u) ** (degree - k)
+    share = np.asarray(share, float)
+    rising = np.vander(share, degree + 1, increasing=True)
+    return BINOMIALS[degree] * rising * np.vander(1 - share, degree + 1)
+
+
+def _halves(a, b):
+    """The halves of a span between the knots a and b, if there is a knot inside."""
+    middle = (a + b) // 2
+    return [(a, middle), (middle, b)] if a < middle else []

@@ -11,6 +11,7 @@ import Part
 from FreeCAD import Vector
 
 from ..errors import DocumentError
+from ..geometry import rotation
 from .centreline import ACCURACY
 from .frames import frames
 from .overlap import refuse_overlap
@@ -27,6 +28,11 @@ many spans it has, and so misses short bends of a long cable."""
 
 VOLUME_ACCURACY = 1e-2
 """Largest relative difference of the volume from area times length (Pappus)."""
+
+_SHARE, _WEIGHT = np.polynomial.legendre.leggauss(6)
+SHARE = np.concatenate(([0], (_SHARE + 1) / 2, [1]))
+WEIGHT = np.concatenate(([0], _WEIGHT / 2, [0]))
+"""Where in a span the surface is looked at, its ends among them, and the weights of Gauss."""
 
 
 def sweep_round(nodes, radius) -> Part.Solid:
@@ -88,25 +94,22 @@ def _refuse_distortion(pieces, section):
     The volume element at (x, y) is det(d1, d2, r' + x d1' + y d2') dx dy ds. To ask OCCT for the volume of
     the solid would take longer than to build it.
     """
-    share, weight = np.polynomial.legendre.leggauss(6)
-    share = np.concatenate(([0], (share + 1) / 2, [1]))
-    weight = np.concatenate(([0], weight / 2, [0]))
     volume = 0.0
     for piece in pieces:
-        value, first = piece.at(share)
-        normal = np.cross(value[..., 3:6], value[..., 6:9])
+        value, first = piece.at(SHARE)
+        normal = rotation.cross(value[..., 3:6], value[..., 6:9])
         element = np.stack([np.sum(normal * first[..., k : k + 3], axis=-1) for k in (0, 3, 6)], -1)
         inside = (element[..., :1] + element[..., 1:] @ section.border.T).min(axis=-1)
         span, point = np.unravel_index(np.argmin(inside), inside.shape)
         if not inside[span, point] > 0:
             along, *across = element[span, point]
-            place = piece.parameter[span] + share[point] * piece.step[span]
+            place = piece.parameter[span] + SHARE[point] * piece.step[span]
             raise DocumentError(
                 f"The cable bends to a radius of {along / np.hypot(*across):.4g} mm at {place:.4g} mm "
                 "from its start, and its section reaches farther than that to the inside of the "
                 "bend: its surface would fold."
             )
-        volume += float(np.sum(element[..., 0] @ weight * piece.step))
+        volume += float(np.sum(element[..., 0] @ WEIGHT * piece.step))
     expected = pieces[-1].parameter[-1]
     if not abs(volume / expected - 1) < VOLUME_ACCURACY:
         raise DocumentError(
