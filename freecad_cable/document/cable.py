@@ -14,7 +14,7 @@ from .cable_type import doubts
 from .property_table import Prop, wrong
 from .proxy import IncompleteError, Proxy, in_use
 from .read_scene import read_scene
-from .stored_solution import fingerprint, keep, kept
+from .stored_solution import fingerprint, keep, kept, nodes
 
 PROFILE_DECIMALS = 7
 """Of the coordinates of a profile in mm: OCCT's smallest distance."""
@@ -116,11 +116,11 @@ class Cable(Proxy):
             inputs = f"{inputs} {_section(obj)}"
             if obj.SweptInputs == inputs and not obj.Shape.isNull():
                 return
-            shape = _solid(obj, scene)
+            shape = _solid(obj, scene.rod.radius)
         except DocumentError as error:
             # The numbers hold, and a line is a true picture of them; a broken solid would not be.
             obj.SweptInputs = ""
-            obj.Shape = centreline_wire(kept(obj, scene))
+            obj.Shape = centreline_wire(nodes(obj))
             raise IncompleteError(str(error)) from None
         obj.Shape, obj.SweptInputs = shape, inputs
 
@@ -156,11 +156,10 @@ def _section(obj):
         raise wrong(obj, "Profile", f"{obj.Profile.Label}: {error}") from None
 
 
-def _solid(obj, scene):
-    nodes = kept(obj, scene)
+def _solid(obj, radius):
     try:
         if obj.Profile:
-            return sweep_profile(nodes, obj.Profile.Shape)
-        return sweep_round(nodes, scene.rod.radius)
+            return sweep_profile(nodes(obj), obj.Profile.Shape)
+        return sweep_round(nodes(obj), radius)
     except DocumentError as error:
         raise DocumentError(f"{obj.Label}: {error}") from None

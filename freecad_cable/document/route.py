@@ -7,11 +7,12 @@ import Part
 from FreeCAD import Placement, Vector
 
 from ..errors import CableError, ProblemError
-from ..routes import METHODS, compare
+from ..routes import METHODS, compare, inputs
 from ..shape.units import from_si, to_si, vectors_from_si
 from .child import CABLE, Child
 from .property_table import Prop, wrong
 from .read_scene import read_scene
+from .stored_solution import fingerprint
 
 POINTS = 100
 """About as many of the samples of a route are interpolated; the curve is then within 1e-3 of a bend radius."""
@@ -55,6 +56,14 @@ class Route(Child):
             result=True,
         ),
         Prop("Status", "String", "Result", "What is wrong, if anything", result=True),
+        Prop(
+            "DrawnInputs",
+            "String",
+            "Route",
+            "Fingerprint of what was drawn",
+            result=True,
+            hidden=True,
+        ),
     )
 
     def set_editor_modes(self, obj):
@@ -62,7 +71,8 @@ class Route(Child):
 
     def run(self, obj):
         cable = self.solved_cable(obj)
-        difference = compare(self._draw(obj, cable), to_si("length", cable.SolvedLength))
+        self._draw(obj, cable)
+        difference = compare(*(to_si("length", x) for x in (obj.Length, cable.SolvedLength)))
         obj.LengthDifference = from_si("length", difference.absolute)
         obj.RelativeLengthDifference = difference.relative
         obj.Status = ""
@@ -74,17 +84,22 @@ class Route(Child):
             self._draw(obj, self.linked_cable(obj))
 
     def _draw(self, obj, cable):
-        """Shape, length and bend radius; returns the route."""
+        """Shape, length and bend radius, unless they stand: few routes depend on the length of the cable."""
+        scene = read_scene(cable)
+        drawn = fingerprint(inputs(obj.Method, scene))
+        if not obj.Placement.isIdentity():
+            obj.Placement = Placement()
+        if obj.DrawnInputs == drawn and not obj.Shape.isNull():
+            return
         try:
-            route = METHODS[obj.Method](read_scene(cable))
+            route = METHODS[obj.Method](scene)
         except ProblemError as error:
             raise wrong(obj, "Method", f"{obj.Method} cannot be drawn: {error}.") from None
-        obj.Placement = Placement()
         obj.Shape = _wire(route)
         obj.Length = from_si("length", route.length)
         obj.SmallestBendRadius = from_si("length", route.smallest_bend_radius)
         obj.SmallestBendRadiusAt = from_si("length", route.smallest_bend_radius_at)
-        return route
+        obj.DrawnInputs = drawn
 
 
 def _wire(route):

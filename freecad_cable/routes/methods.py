@@ -61,6 +61,12 @@ METHODS = {"Spline": spline_route, "Catenary": catenary_route, "Chord": chord_ro
 """By the name that the document stores."""
 
 
+def inputs(method: str, scene: Scene) -> tuple:
+    """All that a route of this method is made from: equal inputs, equal route."""
+    held = (method, scene.start, *scene.supports, scene.end)
+    return (*held, scene.rod.length, scene.gravity) if method == "Catenary" else held
+
+
 def _points(scene):
     """(n, 3) the start, the supports in order, the end."""
     for end in (scene.start, scene.end):

@@ -48,7 +48,7 @@ class LengthDifference:
     """the length of the cable [m]"""
 
 
-def compare(route: Route, cable_length: float) -> LengthDifference:
-    """The length of the route against the solved length of the cable [m], the base."""
-    absolute = route.length - cable_length
+def compare(route_length: float, cable_length: float) -> LengthDifference:
+    """The length of a route against the solved length of the cable [m], the base."""
+    absolute = route_length - cable_length
     return LengthDifference(absolute, absolute / cable_length, cable_length)

@@ -2,11 +2,19 @@
 """Comparison routes and the centreline."""
 
 import math
+from unittest import mock
 
-from FreeCAD import Vector
+from FreeCAD import Placement, Rotation, Vector
 from scenes import DocumentTest
 
 from freecad_cable.document import make
+from freecad_cable.document import route as route_module
+
+
+def no_drawing():
+    """Whoever draws a route in here fails."""
+    never = mock.Mock(side_effect=AssertionError("drawn"))
+    return mock.patch.dict(route_module.METHODS, dict.fromkeys(route_module.METHODS, never))
 
 
 class RouteTest(DocumentTest):
@@ -54,12 +62,64 @@ class RouteTest(DocumentTest):
         self.compute()
         before = route.Length.Value
         self.cable.Length = "350 mm"
-        self.compute()
+        with no_drawing():
+            self.compute()
         self.assertAlmostEqual(route.Length.Value, before, delta=1e-9)
         self.assertAlmostEqual(route.LengthDifference.Value, before - 350, delta=1e-9)
         self.right.Placement.Base += Vector(60, 0, 0)
         self.compute()
         self.assertGreater(route.Length.Value, before + 30)
+        self.assertNear(route.Shape.Edges[0].Vertexes[1].Point, (180, 0, 0))
+
+    def test_it_is_never_stale(self):
+        """Whatever it was drawn from before: its shape is the one that a new route has."""
+        route = make.route(self.doc, self.cable)
+        self.doc.UndoMode = 1
+
+        def edit(*changes):
+            self.doc.openTransaction("Edit")
+            for obj, name, value in changes:
+                setattr(obj, name, value)
+            self.compute()
+            self.doc.commitTransaction()
+
+        def assert_fresh():
+            self.compute()
+            fresh = make.route(self.doc, self.cable, method=route.Method)
+            self.compute()
+            self.assertEqual(route.Length.Value, fresh.Length.Value)
+            self.assertEqual(route.LengthDifference.Value, fresh.LengthDifference.Value)
+            self.assertEqual(route.SmallestBendRadius.Value, fresh.SmallestBendRadius.Value)
+            for share in (0, 0.3, 1):
+                ours, theirs = (
+                    edge.valueAt(edge.LastParameter * share)
+                    for edge in (route.Shape.Edges[0], fresh.Shape.Edges[0])
+                )
+                self.assertNear(ours, theirs)
+            self.doc.removeObject(fresh.Name)
+
+        moved = self.right.Placement.copy()
+        moved.Base += Vector(0, 20, 0)
+        for changes in (
+            [(self.right, "Placement", moved)],
+            [(route, "Method", "Catenary")],
+            [(self.cable, "Length", "350 mm")],
+            [(self.cable, "Gravity", Vector(0, -9.81, 0))],
+            [(route, "Method", "Spline"), (self.end, "Condition", "Pinned")],
+            [(route, "Placement", Placement(Vector(0, 0, 5), Rotation()))],
+        ):
+            with self.subTest([change[1:] for change in changes]):
+                edit(*changes)
+                assert_fresh()
+        self.assertEqual(self.doc.UndoCount, 6)
+        while self.doc.UndoCount:
+            self.doc.undo()
+            assert_fresh()
+        copy = self.doc.copyObject(route, False)
+        copy.Method = "Chord"
+        self.compute()
+        self.assertEqual(copy.Shape.Length, self.right.Placement.Base.x)
+        assert_fresh()
 
     def test_a_method_that_cannot_be_drawn(self):
         route = make.route(self.doc, self.cable, method="Catenary")
@@ -69,6 +129,10 @@ class RouteTest(DocumentTest):
         self.assertTrue(route.Shape.isNull())
         self.assertEqual(route.Length.Value, 0)
         self.assertTrue(self.cable.isValid())
+        self.cable.Gravity = Vector(0, 0, -9.81)
+        self.compute()
+        self.assertAlmostEqual(route.Shape.Length, 300, delta=1e-2)
+        self.assertAlmostEqual(route.Length.Value, 300, delta=1e-6)
         route.Method = "Chord"
         self.compute()
         self.end.Condition = "Free"

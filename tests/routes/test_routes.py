@@ -9,7 +9,14 @@ import pytest
 
 from freecad_cable.errors import ProblemError
 from freecad_cable.problem import Clamped, Free, Pinned, Rod, Scene, Swivel
-from freecad_cable.routes import METHODS, catenary_route, chord_route, compare, spline_route
+from freecad_cable.routes import (
+    METHODS,
+    catenary_route,
+    chord_route,
+    compare,
+    inputs,
+    spline_route,
+)
 
 ROD = {
     "radius": 0.003,
@@ -78,7 +85,7 @@ def test_chord_is_straight_or_has_corners():
 
 
 def test_difference_says_its_base():
-    difference = compare(chord_route(scene(START, END)), 1.25)
+    difference = compare(chord_route(scene(START, END)).length, 1.25)
     assert difference.absolute == pytest.approx(-0.25, rel=1e-15)
     assert difference.relative == pytest.approx(-0.2, rel=1e-15)
     assert difference.base == 1.25
@@ -93,6 +100,32 @@ def test_a_free_end_has_no_route(method):
 @pytest.mark.parametrize("method", METHODS)
 def test_routes_know_their_method(method):
     assert METHODS[method](scene(START, END)).method == method
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_whatever_changes_a_route_is_among_its_inputs(method):
+    tilted = Swivel((0, 0, 0), (0, 1, 2), place="start")
+    turned = Clamped((1, 0, 0), (math.sqrt(0.5), 0, math.sqrt(0.5), 0))
+    plain = {"start": Swivel((0, 0, 0), (0, 0, 1), place="start"), "end": END}
+    changes = [
+        {"start": tilted},
+        {"end": turned},
+        {"end": Pinned((1, 0, 0.1))},
+        {"length": 2.1},
+        {"gravity": (0, -9.81, 0)},
+        {"supports": (support(0.3, 0.2, 0.1),)},
+    ]
+    before = scene(**plain)
+    drawn = METHODS[method](before).position
+    moved = []
+    for change in changes:
+        after = scene(**plain | change)
+        if not np.array_equal(METHODS[method](after).position, drawn):
+            moved += change
+            assert repr(inputs(method, after)) != repr(inputs(method, before)), change
+    assert "end" in moved
+    same = repr(inputs(method, scene(**plain, length=2.1))) == repr(inputs(method, before))
+    assert same == ("length" not in moved)
 
 
 def test_chord_of_coinciding_ends_is_refused():
