@@ -77,12 +77,10 @@ def _resolving(shape, compliance):
     tension = np.maximum(tension[1:], tension[:-1])
     parts = shape.steps * np.sqrt(tension * compliance[:2].max()) / LAYERS
     parts = np.clip(np.ceil(parts), 1, MOST_PARTS).astype(int)
-    inner = [
-        np.linspace(a, b, count, endpoint=False)
-        for a, b, count in zip(shape.arc_length[:-1], shape.arc_length[1:], parts, strict=True)
-    ]
     given = np.concatenate([[0], np.cumsum(parts)])
-    return np.append(np.concatenate(inner), shape.arc_length[-1]), given
+    element = np.repeat(np.arange(len(parts)), parts)
+    within = (np.arange(given[-1]) - given[element]) * (shape.steps / parts)[element]
+    return np.append(shape.arc_length[element] + within, shape.arc_length[-1]), given
 
 
 class Law:
