@@ -65,13 +65,20 @@ def _sweep(runs, section):
     try:
         sides = [_sides(pieces, outline) for outline in section.outlines]
         faces = [face for shell in sides for face in shell.Faces]
-        solid = Part.Solid(Part.Shell(faces + _caps(pieces, sides)))
+        solid = _solid(Part.Shell(faces + _caps(pieces, sides)))
         sound = solid.isValid() and solid.isClosed()
     except Part.OCCError as error:
         raise DocumentError(f"The solid of the cable could not be built: {error}") from error
     if not sound:
         raise DocumentError("The solid of the cable is not valid and closed.")
     return solid
+
+
+def _solid(shell):
+    """The inside of a shell that looks outwards. ``Part.Solid`` would find out whether it does from where lines
+    pierce it, which takes as long as all else; here it does, because no part of the surface is folded."""
+    box = Part.makeBox(1, 1, 1)
+    return box.replaceShape([(box.Shells[0], shell)])
 
 
 def _frame_spline(run, length) -> Quintic:
