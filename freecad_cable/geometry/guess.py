@@ -20,6 +20,8 @@ FRACTIONS = (0.8, 0.6, 0.45, 1 / 3, 0.2, 0.1)
 HEAVY = 500.0
 """The w L³/EI above which more weight shall not choose a tighter bend."""
 
+_GAUSS = np.polynomial.legendre.leggauss(5)
+
 _POWERS = np.arange(6)
 _SPAN = np.array([0, 0, 3, -2, 0, 0.0])
 _START = np.array([0, 1, -2, 1, 0, 0.0])
@@ -31,9 +33,8 @@ _ODD = 25 * math.sqrt(5) * np.array([0, 0, 1, -4, 5, -2.0])
 
 def gauss(parameter):
     """Five Gauss points (m−1, 5) between the parameters (m,) and their weights."""
-    nodes, weights = np.polynomial.legendre.leggauss(5)
     half = np.diff(parameter)[:, None] / 2
-    return parameter[:-1, None] + half * (1 + nodes), half * weights
+    return parameter[:-1, None] + half * (1 + _GAUSS[0]), half * _GAUSS[1]
 
 
 def perpendicular(direction):
