@@ -11,7 +11,7 @@ from FreeCAD import Placement, Rotation, Vector
 
 from freecad_cable.demo import table_1
 
-POINTS, PAIRS = 50, 15
+POINTS, PAIRS = 50, 25
 
 
 def native_sweep(document, edge, diameter):
@@ -46,22 +46,27 @@ class RecomputeTimeTest(unittest.TestCase):
         for document in (self.ours, self.native):
             FreeCAD.closeDocument(document.Name)
 
-    def test_solving_and_sweeping_take_about_as_long_as_the_native_sweep(self):
+    def test_solving_and_sweeping_take_at_most_as_long_as_the_native_sweep(self):
         """Both side by side, because the machine is shared; the cable gets a new length each time."""
-        cable = list(table_1.build(self.ours))[-1][0]
+        cables = [cable for cable, _ in table_1.build(self.ours)]
         self.ours.recompute()
+        for cable, length in zip(cables, table_1.LENGTHS, strict=True):
+            with self.subTest(cable.Label):
+                ratio = statistics.median(self.ratios(cable, length))
+                # The aim is 1. Measured: 0.80 to 0.95, centreline and route included, which the native sweep is
+                # given. Other work on the machine slows both down, but not quite alike; what must not pass is the
+                # 1.2 and more that a sweep or an error estimate of twice the time would make of it.
+                self.assertLess(ratio, 1.15)
+
+    def ratios(self, cable, length):
         (edge,) = cable.Centreline.Shape.Edges
         sweep = native_sweep(self.native, edge, cable.CableType.OuterDiameter.Value)
         self.native.recompute()
         self.assertAlmostEqual(
             sweep.Shape.Volume, cable.Shape.Volume, delta=1e-3 * cable.Shape.Volume
         )
-        ratios = []
         for k in range(PAIRS):
-            cable.Length = table_1.LENGTHS[-1] + k % 2 - 0.5
+            cable.Length = length + k % 2 - 0.5
             sweep.touch()
-            ratios.append(seconds(self.ours) / seconds(self.native))
+            yield seconds(self.ours) / seconds(self.native)
             self.assertAlmostEqual(cable.SolvedLength.Value, cable.Length.Value)
-        # The aim is 1. Measured: 1.1 to 1.3, of which a fifth is the centreline and the route, which the native sweep
-        # is given. What must not pass is the 2 that a second solve, a cold one or a second sweep would make of it.
-        self.assertLess(statistics.median(ratios), 1.6)
