@@ -36,6 +36,7 @@ class RawSolution:
     solver: str
 
 
+@lru_cache
 def available(name: str) -> bool:
     """Whether this CasADi has the plug-in."""
     return ca.has_nlpsol(name)
