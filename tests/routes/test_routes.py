@@ -2,13 +2,13 @@
 """Routes: what they pass, how long they are, how tight, and how their length is compared."""
 
 import math
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from freecad_cable.errors import ProblemError
 from freecad_cable.problem import Clamped, Free, Pinned, Rod, Scene, Swivel
+from freecad_cable.problem.supports import Support
 from freecad_cable.routes import (
     METHODS,
     catenary_route,
@@ -33,7 +33,7 @@ def scene(start, end, length=2.0, supports=(), gravity=(0, 0, -9.81)):
 
 
 def support(x, y, z):
-    return SimpleNamespace(position=np.array([x, y, z]))
+    return Support((x, y, z))
 
 
 START = Pinned((0, 0, 0), place="start")
@@ -77,7 +77,9 @@ def test_chord_is_straight_or_has_corners():
     straight = chord_route(scene(START, END, supports=(support(0.3, 0, 0), support(0.3, 0, 0))))
     assert straight.length == pytest.approx(1, rel=1e-15)
     assert straight.smallest_bend_radius == math.inf
-    corner = chord_route(scene(START, END, supports=(support(0.25, 0, 0), support(0.25, 1, 0))))
+    corner = chord_route(
+        scene(START, END, length=3.0, supports=(support(0.25, 0, 0), support(0.25, 1, 0)))
+    )
     assert corner.length == pytest.approx(1.25 + math.hypot(0.75, 1), rel=1e-15)
     assert (corner.smallest_bend_radius, corner.smallest_bend_radius_at) == (0, 0.25)
     assert corner.position.tolist() == [[0, 0, 0], [0.25, 0, 0], [0.25, 1, 0], [1, 0, 0]]
