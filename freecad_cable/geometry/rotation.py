@@ -31,7 +31,7 @@ def _bilinear(a, b, table):
     product, because on the few nodes of a rod the number of steps is what takes time."""
     a, b = np.asarray(a, float), np.asarray(b, float)
     products = a[..., :, None] * b[..., None, :]
-    rows = products.reshape(*products.shape[:-2], -1)
+    rows = products.reshape(*products.shape[:-2], a.shape[-1] * b.shape[-1])
     values = rows @ table.reshape(rows.shape[-1], -1)
     return values.reshape(*values.shape[:-1], *table.shape[2:])
 

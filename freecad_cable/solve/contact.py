@@ -3,35 +3,23 @@
 
 Nodes keep away from the nearest features of the obstacles. Where a feature is all of the obstacle near a node (a
 plane, a ball, the side of a cylinder) one solve is exact; else features are looked up anew at the nodes of the last
-solve until they stay. A node that starts inside leaves along a direction that its whole run of nodes agrees on: left
-to itself each would take the nearest side, and fold the cable around the obstacle.
+solve until they stay.
 """
 
 from dataclasses import replace
 
 import numpy as np
 
-from ..problem import Free
-from ..problem.surroundings import out_of_reach
 from ..transcription import contact
 from ..transcription.shape import Shape
 from . import mesh
+from .surroundings import PENETRATION
 from .trial import Problem, TimeUpError, Trial
 
-NEAR = 0.1
-"""Gap, in lengths, up to which a feature is given to a node."""
-MOST = 4
-"""Features of a node."""
 PASSES = 25
 """Lookups of features after which an attempt ends."""
 SETTLED = 1e-3
 """Change of a gap, in radii of the cable, below which a feature has been looked up often enough."""
-PENETRATION = 0.01
-"""Depth between nodes, in radii of the cable, that is left."""
-INSIDE = 4
-"""Samples of an element between its nodes."""
-STRETCH = 1.05
-"""By how much more than its length a cable that stretches is taken to reach."""
 FIRST = 64
 """Elements of the first mesh."""
 MESHES = (96, 96, 128, 128, 192, 256)
@@ -39,148 +27,57 @@ GATHER = 6.0
 """Factor by which nodes draw nearer, from mesh to mesh, to where contact begins and ends."""
 
 
-class Surroundings:
-    """The obstacles that a scene's cable may touch."""
-
-    def __init__(self, problem: Problem):
-        scene, scaling = problem.scene, problem.scaling
-        self.problem, self.scaling = problem, scaling
-        self.radius = scene.rod.radius / scaling.length
-        self.keep = self.radius + scene.clearance / scaling.length
-        held = [end.position for end in (scene.start, scene.end) if not isinstance(end, Free)] or [
-            scene.supports[0].position
-        ]
-        length = scene.rod.length * (1 if scene.rod.axial_stiffness is None else STRETCH)
-        far = out_of_reach(
-            scene.obstacles,
-            held[0],
-            held[1] if len(held) > 1 else None,
-            length,
-            scene.rod.radius + scene.clearance,
-        )
-        self.indices = np.flatnonzero(~far)
-        self.obstacles = [scene.obstacles[i] for i in self.indices]
-
-    def nearest(self, points):
-        """Of each obstacle what is nearest to points (m, 3) without units, in the same units."""
-        return [self._scaled(each.nearest(self._world(points))) for each in self.obstacles]
-
-    def _world(self, points):
-        return self.scaling.origin + points * self.scaling.length
-
-    def _scaled(self, nearest):
-        length = self.scaling.length
-        return replace(
-            nearest,
-            distance=nearest.distance / length,
-            center=self.scaling.point(nearest.center),
-            radius=nearest.radius / length,
-        )
-
-    def gaps(self, shape: Shape, found=None) -> np.ndarray:
-        """(obstacles, n+1) what is left of the distance to keep; infinite where a node is held inside it, and near
-        such a node: a cable that comes out of a connector begins at its face."""
-        found = self.nearest(shape.position) if found is None else found
-        gap = np.array([each.distance for each in found]).reshape(-1, len(shape.position))
-        gap = gap - self.keep
-        scene = self.problem.scene
-        held = [joint.node for joint in shape.joints]
-        held += [0] * (not isinstance(scene.start, Free))
-        held += [len(shape.position) - 1] * (not isinstance(scene.end, Free))
-        allowed = gap.copy()
-        for node in held:
-            away = np.abs(shape.arc_length - shape.arc_length[node])
-            missing = np.maximum(-gap[:, node], 0.0)[:, None]
-            allowed[(missing > 0) & (away <= 2 * missing + 1e-12)] = np.inf
-            allowed[:, node] = np.inf
-        return allowed
-
-    def between(self, shape: Shape) -> np.ndarray:
-        """(n,) smallest gap over each element, its inside included."""
-        if not self.obstacles:
-            return np.full(len(shape.steps), np.inf)
-        share = np.arange(INSIDE) / INSIDE
-        fine = (shape.arc_length[:-1, None] + shape.steps[:, None] * share).ravel()
-        smallest = self.gaps(shape.on(np.append(fine, shape.arc_length[-1]))).min(axis=0)
-        inner = np.minimum(smallest[:-1].reshape(-1, INSIDE).min(axis=1), smallest[INSIDE::INSIDE])
-        return inner
-
-    def features(self, shape: Shape, leaving=False):
-        """(n+1, contacts, 12) of a shape's nodes and the obstacle (n+1, contacts) of each, −1 for none; or None."""
-        found = self.nearest(shape.position)
-        gap = self.gaps(shape, found)
-        near = gap < NEAR
-        count = int(near.sum(axis=0).max(initial=0))
-        if count == 0:
-            return None
-        count = min(next(n for n in (1, 2, MOST) if n >= min(count, MOST)), MOST)
-        rows = np.array([contact.parameters(each, self.keep) for each in found])
-        if leaving:
-            for i, each in enumerate(found):
-                self._leave(rows[i], i, each, shape.position, gap[i])
-        order = np.argsort(gap, axis=0)[:count].T
-        nodes = np.arange(len(gap[0]))[:, None]
-        if order.shape[1] < count:
-            order = np.pad(order, ((0, 0), (0, count - order.shape[1])), mode="edge")
-        chosen = rows[order, nodes]
-        unused = ~near[order, nodes]
-        unused[:, 1:] |= order[:, 1:] == order[:, :-1]
-        chosen[unused] = contact.NONE
-        return chosen, np.where(unused, -1, order)
-
-    def _leave(self, rows, i, nearest, points, gap):
-        """Faces for the nodes inside an obstacle, across the direction in which each run of them leaves."""
-        inside = (nearest.distance < 0) & np.isfinite(gap)
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
-        for a, b in zip(edges[::2], edges[1::2], strict=True):
-            run = slice(a, b)
-            depth = -nearest.distance[run]
-            out = (depth[:, None] * nearest.normal[run]).sum(axis=0)
-            if np.linalg.norm(out) < 0.1 * depth.sum():
-                out = nearest.normal[run][np.argmin(depth)]
-            out = out / np.linalg.norm(out)
-            place = points[run].copy()
-            for _ in range(30):
-                distance = self._scaled(self.obstacles[i].nearest(self._world(place))).distance
-                if (distance >= 0).all():
-                    break
-                place += np.outer(np.maximum(-distance, 0) + 1e-4 * (distance < 0), out)
-            rows[run] = 0.0
-            rows[run, :3], rows[run, 3:6], rows[run, 11] = place, out, self.keep
-
-
 def around(problem: Problem, trial: Trial) -> Trial | None:
     """The equilibrium among the scene's obstacles, from one without; None if none is found. If the cable keeps away
     from all of them by itself, the trial is the answer."""
-    around_it = Surroundings(problem)
-    deepest = PENETRATION * around_it.radius
-    if not around_it.obstacles or around_it.between(trial.shape).min() >= -deepest:
+    around_it = problem.surroundings
+    if not around_it.obstacles or not _deep(around_it, trial.shape).any():
         return trial
     if problem.scene.options.elements is not None:
-        return _settled(problem, around_it, trial.shape, leaving=True)
-    arc_length = mesh.refined(trial.shape, FIRST)
-    found = _settled(problem, around_it, trial.shape.on(arc_length), leaving=True)
-    width = 1 / FIRST
+        return _settled(problem, trial.shape, leaving=True)
+    start = trial.shape.on(mesh.refined(trial.shape, FIRST))
+    found = _settled(problem, start, leaving=True)
+    return None if found is None else _gathered(problem, found)
+
+
+def resumed(problem: Problem, warm: Shape) -> Trial | None:
+    """The equilibrium from an earlier one in contact; None if there is none near, or none in contact."""
+    if problem.surroundings.between(warm).min(initial=np.inf) > problem.surroundings.radius:
+        return None
+    found = _settled(problem, warm)
+    if found is None or not found.touches or not found.stable:
+        return None
+    return _gathered(problem, found)
+
+
+def _gathered(problem, found):
+    """On meshes whose nodes gather where contact begins and ends, until the shape stays."""
+    around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
+    found, width = replace(found, measured=np.inf), 1 / FIRST
     try:
         for elements in MESHES:
-            if found is None:
-                return None
             width /= GATHER
             places = _places(found, around_it)
+            if not places:
+                return found
             start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
-            finer = _settled(problem, around_it, start)
+            finer = _settled(problem, start)
             if finer is None:
                 return found
             moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
             error = float(np.linalg.norm(moved, axis=1).max())
             found = replace(finer, measured=error)
-            settled = around_it.between(found.shape).min() >= -deepest
-            if settled and error <= problem.scene.options.tolerance:
-                break
+            if error <= tolerance and not _deep(around_it, found.shape).any():
+                return found
     except TimeUpError:
-        if found is None or found.measured is None:
+        if np.isinf(found.measured):
             raise
     return found
+
+
+def _deep(around_it, shape):
+    """(n,) whether an element is inside an obstacle by more than may be."""
+    return around_it.between(shape) < -PENETRATION * around_it.radius
 
 
 def _places(trial, around_it):
@@ -191,35 +88,37 @@ def _places(trial, around_it):
     places = []
     for a, b in zip(edges[::2], edges[1::2] - 1, strict=True):
         places += [s[a]] if a == b else [s[a], s[b]]
-    deep = around_it.between(trial.shape)
-    worst = int(np.argmin(deep))
-    if deep[worst] < -PENETRATION * around_it.radius:
+    if _deep(around_it, trial.shape).any():
+        worst = int(np.argmin(around_it.between(trial.shape)))
         places.append((s[worst] + s[worst + 1]) / 2)
     return places
 
 
-def _settled(problem, around_it, shape, leaving=False):
+def _settled(problem, shape, leaving=False):
     """Solve on the nodes of ``shape`` until the features are those of the solution."""
+    around_it = problem.surroundings
     settled = SETTLED * around_it.radius
     for turn in range(PASSES):
         found = around_it.features(shape, leaving=leaving and turn == 0)
-        features, owners = found if found is not None else (None, None)
+        features, owners = (None, None) if found is None else found
         trial = problem.solve(shape, features=features)
         if trial is None:
             return None
+        trial = replace(trial, owners=owners)
         gap = around_it.gaps(trial.shape)
-        if gap.min() > -settled and _staleness(trial, owners, gap) < settled:
+        if gap.min() > -settled and _staleness(trial, around_it, gap) < settled:
             return trial
         shape = trial.shape
     return None
 
 
-def _staleness(trial, owners, gap) -> float:
+def _staleness(trial, around_it, gap) -> float:
     """Largest difference between the gap to a feature that pushes and the gap to its obstacle."""
-    if owners is None:
+    if trial.owners is None:
         return 0.0
     nodes, slots = np.nonzero(np.linalg.norm(trial.contact_forces, axis=2))
+    rows = np.searchsorted(around_it.indices, trial.owners[nodes, slots])
     features = trial.values["features"][nodes, slots]
     given = contact.value(trial.shape.position[nodes], features)
-    there = gap[owners[nodes, slots], nodes]
+    there = gap[rows, nodes]
     return float(np.abs(given - there).max(initial=0.0))

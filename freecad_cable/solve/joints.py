@@ -70,10 +70,12 @@ def _flux(law, y):
     """(H, its derivative (1, 12)) of a state (13,)."""
     frame = rotation.matrix(y[3:7])
     force, moment = frame.T @ y[7:10], frame.T @ y[10:]
-    strain = law.bend * moment
+    curvature = law.curvature(moment[None])[0]
+    strain = curvature - law.natural
     slope = frame @ (np.array([0, 0, 1.0]) + law.shear * force)
-    kappa = frame @ (law.natural + strain)
-    flux = force[2] + moment @ law.natural + (strain @ moment + force @ (law.shear * force)) / 2
+    kappa = frame @ curvature
+    stored = np.divide(strain**2, law.bend, out=np.zeros(3), where=law.bend > 0).sum() / 2
+    flux = force[2] + moment @ curvature - stored + force @ (law.shear * force) / 2
     turn = -np.cross(y[10:], kappa) - np.cross(y[7:10], slope)
     return flux, np.concatenate([np.zeros(3), turn, slope, kappa])[None]
 

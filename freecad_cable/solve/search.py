@@ -37,10 +37,28 @@ DOUBTFUL_ROLL = 2.0
 
 def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
+    if problem.surroundings.obstacles and warm is not None:
+        if (found := contact.resumed(problem, warm)) is not None:
+            return found
     found = _free(problem, warm)
-    if found is None or not problem.scene.obstacles:
+    if found is not None and problem.scene.enforce_bend_radius:
+        found = _formed(problem, found)
+    if found is None or not problem.surroundings.obstacles:
         return found
     return contact.around(problem, found)
+
+
+def _formed(problem, trial):
+    """From a free shape to one that bends nowhere more sharply than it may; the free one if it does so by itself."""
+    limit = problem.scaling.length / problem.scene.rod.min_bend_radius
+    bends = [part.strain[:, :2] for part in trial.shape.parts()]
+    if max(np.linalg.norm(bend, axis=1).max() for bend in bends) <= limit:
+        return trial
+    problem.formed = True
+    found = problem.solve(trial.shape)
+    if found is None or problem.scene.options.elements is not None:
+        return found
+    return _refined(problem, found)
 
 
 def _free(problem, warm):
@@ -104,6 +122,9 @@ def _direct(problem, arc_length):
             starts.append(guess(scene, scaling, arc_length, turns=-1 if roll > 0 else 1))
     if scene.spans and 0 < scene.chord < LOOSE * scaling.length:
         starts.append(guess(scene, scaling, arc_length, chain=not hangs(scaling)))
+        if problem.model.twist and not hangs(scaling):
+            # A loop without twist or a bow with a turn: either may cost less.
+            starts += [guess(scene, scaling, arc_length, turns=turns) for turns in (-1, 1)]
     trials = [problem.solve(each) for each in starts]
     yield from sorted((t for t in trials if t is not None), key=lambda trial: trial.energy)
 
@@ -116,7 +137,7 @@ def _without_torsion(problem, arc_length):
     if scene.supports or not (problem.model.twist and rod.isotropic and soft):
         return None
     loose = replace(scene, end=Swivel(scene.end.position, orientation(scene.end)))
-    trial = find(replace(problem, scene=loose, model=reduce(loose)))
+    trial = _free(replace(problem, scene=loose, model=reduce(loose)), None)
     if trial is None:
         return None
     shape = trial.shape.on(arc_length)

@@ -31,7 +31,8 @@ def correction(shape, values, structure) -> np.ndarray:
     compliance = np.zeros(6)
     kept = list(structure.strains)
     compliance[kept] = 1 / values["stiffness"][kept]
-    law = Law(compliance, values["natural"], values["weight"])
+    limit = float(values["curvature_limit"]) if structure.bend_limit else np.inf
+    law = Law(compliance, values["natural"], values["weight"], limit)
     parts, given = [], []
     for part in shape.parts():
         arc_length, own = _resolving(part, compliance)
@@ -86,14 +87,46 @@ def _resolving(shape, compliance):
 class Law:
     """The right-hand side and its linearisation, for many elements at once."""
 
-    def __init__(self, compliance, natural, weight):
+    def __init__(self, compliance, natural, weight, limit=np.inf):
         self.bend, self.shear = compliance[:3], compliance[3:]
-        self.natural, self.weight = natural, weight
+        self.natural, self.weight, self.limit = natural, weight, limit
+
+    def curvature(self, moment):
+        """(n, 3) curvature and twist from the moment in the material frame (n, 3)."""
+        kappa = self.natural + self.bend * moment
+        if np.isfinite(self.limit):
+            over, kappa[over, :2], _ = self._limited(kappa, moment)
+        return kappa
+
+    def _limited(self, kappa, moment):
+        """(n,) where the limit acts, and there curvature (k, 2) and 1/(K + μ) (k, 2): where the rod is held at the
+        limit, κ minimises its energy less m·κ on |κ| = limit, and so (K + μ) κ = m + K κ⁰ with a multiplier μ."""
+        over = np.linalg.norm(kappa[:, :2], axis=1) > self.limit
+        pull = kappa[over, :2] / self.bend[:2]
+        mu = np.zeros((len(pull), 1))
+        for _ in range(20):
+            soft = 1 / (1 / self.bend[:2] + mu)
+            bent = soft * pull
+            size = np.linalg.norm(bent, axis=1, keepdims=True)
+            slope = -(bent * soft * bent).sum(axis=1, keepdims=True) / size
+            mu += (size / self.limit - 1) * size / -slope
+        return over, bent, soft
+
+    def compliance(self, moment):
+        """(n, 3, 3) change of curvature with the moment, material frame."""
+        found = np.tile(np.diag(self.bend), (len(moment), 1, 1))
+        if np.isfinite(self.limit):
+            over, bent, soft = self._limited(self.natural + self.bend * moment, moment)
+            across = soft * bent
+            held = np.einsum("ki,kj->kij", across, across)
+            held /= (bent * across).sum(axis=1)[:, None, None]
+            found[over, :2, :2] = soft[:, :, None] * np.eye(2) - held
+        return found
 
     def rate(self, y):
         q, n, m = y[:, 3:7], y[:, 7:10], y[:, 10:]
         frames = rotation.matrix(q)
-        kappa = self.natural + self.bend * np.einsum("kij,ki->kj", frames, m)
+        kappa = self.curvature(np.einsum("kij,ki->kj", frames, m))
         v = (0, 0, 1) + self.shear * np.einsum("kij,ki->kj", frames, n)
         slope = np.einsum("kij,kj->ki", frames, v)
         turning = rotation.multiply(q, np.hstack([np.zeros((len(q), 1)), kappa])) / 2
@@ -121,7 +154,8 @@ class Law:
             rotation.cross_matrix(y[:, 7:10]),
             rotation.cross_matrix(y[:, 10:]),
         )
-        bend = np.einsum("kij,j,klj->kil", frames, self.bend, frames)
+        moment = np.einsum("kij,ki->kj", frames, y[:, 10:])
+        bend = frames @ self.compliance(moment) @ np.swapaxes(frames, 1, 2)
         shear = np.einsum("kij,j,klj->kil", frames, self.shear, frames)
         v = (0, 0, 1) + self.shear * np.einsum("kij,ki->kj", frames, y[:, 7:10])
         slope = rotation.cross_matrix(np.einsum("kij,kj->ki", frames, v))

@@ -19,6 +19,7 @@ from ..transcription.structure import Structure
 from ..transcription.supports import TIGHT
 from ..transcription.waypoints import breaks
 from . import backend, stability, strong_form
+from .surroundings import Surroundings
 
 LIMP = 1e-2
 """GJ/EI below which fatrop was seen to correct its matrix without end; ipopt gives up in time."""
@@ -45,7 +46,9 @@ class Trial:
     raw: backend.RawSolution
     shape: Shape
     measured: float | None = None
-    """error found by halving the mesh, where bounds act and the strong form does not hold as it is"""
+    """error found by comparing meshes, where bounds act and the strong form does not hold as it is"""
+    owners: np.ndarray | None = None
+    """(n+1, contacts) which of the scene's obstacles each contact row keeps away from; −1 for none"""
 
     @cached_property
     def energies(self) -> np.ndarray:
@@ -73,6 +76,10 @@ class Trial:
         left = self.nlp.rows_function(self.raw.x, self.parameters).full().ravel()
         push = -self.raw.multipliers
         return np.array(self.nlp.equality) | ((push > ACTING) & (push > left))
+
+    @property
+    def touches(self) -> bool:
+        return self.owners is not None and bool(self.contact_forces.any())
 
     @cached_property
     def contact_forces(self) -> np.ndarray:
@@ -118,6 +125,8 @@ class Problem:
     iterations: int = field(default=0)
     solve_time: float = field(default=0.0)
     build_time: float = field(default=0.0)
+    formed: bool = field(default=False)
+    """whether the cable must be formed to keep its bend radius; first it is solved as if it need not"""
 
     @classmethod
     def of(cls, scene: Scene, model: Model) -> "Problem":
@@ -127,6 +136,10 @@ class Problem:
     def breaks(self) -> tuple[float, ...]:
         """Arc lengths of the supports, relative to the length; guessed where the cable slides."""
         return breaks(self.scene, self.scaling)
+
+    @cached_property
+    def surroundings(self) -> Surroundings:
+        return Surroundings(self.scene, self.scaling)
 
     @property
     def scheme(self) -> str:
@@ -159,7 +172,7 @@ class Problem:
             tuple(self._support_kind(support) for support in scene.supports),
             tuple(support.slides for support in scene.supports),
             contacts,
-            scene.enforce_bend_radius,
+            self.formed,
         )
 
     def _support_kind(self, support):

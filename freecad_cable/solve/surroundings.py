@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The obstacles around a cable: which it may touch, how far it is from them, and what its nodes keep away from.
+
+A node that is inside an obstacle leaves along a direction that its whole run of nodes agrees on: left to itself each
+would take the nearest side, and fold the cable around the obstacle.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..problem import Free, Scene
+from ..problem.surroundings import out_of_reach
+from ..transcription import contact
+from ..transcription.scaling import Scaling
+from ..transcription.shape import Shape
+
+NEAR = 0.1
+"""Gap, in lengths, up to which a feature is given to a node."""
+MOST = 4
+"""Features of a node."""
+PENETRATION = 0.01
+"""Depth between nodes, in radii of the cable, that is left."""
+INSIDE = 4
+"""Samples of an element between its nodes."""
+STRETCH = 1.05
+"""By how much more than its length a cable that stretches is taken to reach."""
+
+
+class Surroundings:
+    """The obstacles that a scene's cable may touch."""
+
+    def __init__(self, scene: Scene, scaling: Scaling):
+        self.scene, self.scaling = scene, scaling
+        self.radius = scene.rod.radius / scaling.length
+        self.keep = self.radius + scene.clearance / scaling.length
+        held = [end.position for end in (scene.start, scene.end) if not isinstance(end, Free)] or [
+            scene.supports[0].position
+        ]
+        length = scene.rod.length * (1 if scene.rod.axial_stiffness is None else STRETCH)
+        far = out_of_reach(
+            scene.obstacles,
+            held[0],
+            held[1] if len(held) > 1 else None,
+            length,
+            scene.rod.radius + scene.clearance,
+        )
+        self.indices = np.flatnonzero(~far)
+        self.obstacles = [scene.obstacles[i] for i in self.indices]
+
+    def nearest(self, points):
+        """Of each obstacle what is nearest to points (m, 3) without units, in the same units."""
+        return [self._scaled(each.nearest(self._world(points))) for each in self.obstacles]
+
+    def _world(self, points):
+        return self.scaling.origin + points * self.scaling.length
+
+    def _scaled(self, nearest):
+        length = self.scaling.length
+        return replace(
+            nearest,
+            distance=nearest.distance / length,
+            center=self.scaling.point(nearest.center),
+            radius=nearest.radius / length,
+        )
+
+    def gaps(self, shape: Shape, found=None) -> np.ndarray:
+        """(obstacles, n+1) what is left of the distance to keep; infinite where a node is held inside it, and near
+        such a node: a cable that comes out of a connector begins at its face."""
+        found = self.nearest(shape.position) if found is None else found
+        gap = np.array([each.distance for each in found]).reshape(-1, len(shape.position))
+        gap = gap - self.keep
+        scene = self.scene
+        held = [joint.node for joint in shape.joints]
+        held += [0] * (not isinstance(scene.start, Free))
+        held += [len(shape.position) - 1] * (not isinstance(scene.end, Free))
+        allowed = gap.copy()
+        for node in held:
+            away = np.abs(shape.arc_length - shape.arc_length[node])
+            missing = np.maximum(-gap[:, node], 0.0)[:, None]
+            allowed[(missing > 0) & (away <= 2 * missing + 1e-12)] = np.inf
+            allowed[:, node] = np.inf
+        return allowed
+
+    def clearance(self, shape: Shape) -> float:
+        """Smallest distance between the surfaces of cable and obstacles, without units."""
+        if not self.obstacles:
+            return np.inf
+        return float(self.between(shape).min()) + self.keep - self.radius
+
+    def between(self, shape: Shape) -> np.ndarray:
+        """(n,) smallest gap over each element, its inside included."""
+        if not self.obstacles:
+            return np.full(len(shape.steps), np.inf)
+        share = np.arange(INSIDE) / INSIDE
+        fine = (shape.arc_length[:-1, None] + shape.steps[:, None] * share).ravel()
+        smallest = self.gaps(shape.on(np.append(fine, shape.arc_length[-1]))).min(axis=0)
+        inner = np.minimum(smallest[:-1].reshape(-1, INSIDE).min(axis=1), smallest[INSIDE::INSIDE])
+        return inner
+
+    def features(self, shape: Shape, leaving=False):
+        """(n+1, contacts, 12) of a shape's nodes and which of the scene's obstacles (n+1, contacts)
+        each belongs to, −1 for none; or None."""
+        found = self.nearest(shape.position)
+        gap = self.gaps(shape, found)
+        near = gap < NEAR
+        count = int(near.sum(axis=0).max(initial=0))
+        if count == 0:
+            return None
+        count = min(next(n for n in (1, 2, MOST) if n >= min(count, MOST)), MOST)
+        rows = np.array([contact.parameters(each, self.keep) for each in found])
+        if leaving:
+            for i, each in enumerate(found):
+                self._leave(rows[i], i, each, shape.position, gap[i])
+        order = np.argsort(gap, axis=0)[:count].T
+        nodes = np.arange(len(gap[0]))[:, None]
+        if order.shape[1] < count:
+            order = np.pad(order, ((0, 0), (0, count - order.shape[1])), mode="edge")
+        chosen = rows[order, nodes]
+        unused = ~near[order, nodes]
+        unused[:, 1:] |= order[:, 1:] == order[:, :-1]
+        chosen[unused] = contact.NONE
+        return chosen, np.where(unused, -1, self.indices[order])
+
+    def _leave(self, rows, i, nearest, points, gap):
+        """Faces for the nodes inside an obstacle, across the direction in which each run of them leaves."""
+        inside = (nearest.distance < 0) & np.isfinite(gap)
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
+        for a, b in zip(edges[::2], edges[1::2], strict=True):
+            run = slice(a, b)
+            depth = -nearest.distance[run]
+            out = (depth[:, None] * nearest.normal[run]).sum(axis=0)
+            if np.linalg.norm(out) < 0.1 * depth.sum():
+                out = nearest.normal[run][np.argmin(depth)]
+            out = out / np.linalg.norm(out)
+            place = points[run].copy()
+            for _ in range(30):
+                distance = self._scaled(self.obstacles[i].nearest(self._world(place))).distance
+                if (distance >= 0).all():
+                    break
+                place += np.outer(np.maximum(-distance, 0) + 1e-4 * (distance < 0), out)
+            rows[run] = 0.0
+            rows[run, :3], rows[run, 3:6], rows[run, 11] = place, out, self.keep
