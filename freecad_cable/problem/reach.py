@@ -82,6 +82,11 @@ def check_reach(scene):
     _check_tail(held[fixed[-1] :][::-1], scene.rod.length - held[fixed[-1]].arc_length)
 
 
+def chord_through(positions) -> float:
+    """Length [m] of the polyline through positions (k, 3): the base of slack."""
+    return float(np.linalg.norm(np.diff(np.array(positions), axis=0), axis=1).sum())
+
+
 def shortest_way(held) -> float:
     """Lower bound [m] of the length of any curve through the stations in order."""
     points = np.array([station.position for station in held])

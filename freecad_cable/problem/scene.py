@@ -30,6 +30,8 @@ class Scene:
     """[m], between the surface of the cable and obstacles"""
     enforce_bend_radius: bool = False
     """whether the cable is formed so that it nowhere bends more sharply than ``rod.min_bend_radius``"""
+    asks_length: bool = False
+    """whether the length is what is asked for; ``rod.length`` is then where the search begins"""
     options: SolveOptions = SolveOptions()
 
     def __post_init__(self):

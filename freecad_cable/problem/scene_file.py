@@ -4,19 +4,20 @@
 Reading is strict: an unknown field is an error, so that a misspelt one is not silently ignored.
 """
 
-import numpy as np
-
-from ..errors import NotYetError, ProblemError
+from ..errors import ProblemError
 from ..options import SolveOptions
 from .checked import number, shown, vector
 from .ends import Clamped, Free, Pinned, Swivel
 from .obstacles import Box, Cylinder, HalfSpace, Sphere
+from .reach import chord_through
 from .rod import Rod
 from .scene import Scene
 from .supports import SUPPORTS
 from .surfaces import Mesh
 
 SCHEMA = 1
+START = 1.1
+"""Length over the chord with which the search for a length begins."""
 ENDS = {"clamped": Clamped, "swivel": Swivel, "pinned": Pinned, "free": Free}
 END_FIELDS = {
     "clamped": ("position", "quaternion"),
@@ -59,8 +60,11 @@ def read_scene(data) -> Scene:
     start, end = (_end(place, fields[place]) for place in ("start", "end"))
     gravity = fields.get("gravity", [0, 0, -9.81])
     clearance = fields.get("clearance", 0.0)
+    mode = fields["cable"].get("length_mode") if isinstance(fields["cable"], dict) else None
     return Scene(
-        rod=_rod(fields["cable"], start, end),
+        rod=_rod(fields["cable"], start, end, supports),
+        asks_length=isinstance(mode, dict) and mode.get("kind") == "shortest",
+        enforce_bend_radius=_enforced(fields["cable"]),
         start=start,
         end=end,
         supports=supports,
@@ -71,47 +75,50 @@ def read_scene(data) -> Scene:
     )
 
 
-def _rod(data, start, end) -> Rod:
+def _rod(data, start, end, supports) -> Rod:
     fields = _fields(
         "cable",
         data,
         required=CABLE_REQUIRED,
-        optional=("length", "length_mode", *CABLE_OPTIONAL),
+        optional=("length", "length_mode", "bend_radius_mode", *CABLE_OPTIONAL),
     )
     given = {name: fields[name] for name in CABLE_REQUIRED}
     given |= {name: fields[name] for name in CABLE_OPTIONAL if fields.get(name) is not None}
-    return Rod(length=_length(fields, start, end), **given)
+    return Rod(length=_length(fields, start, end, supports), **given)
 
 
-def _length(fields, start, end) -> float:
-    mode = fields.get("length_mode")
+def _enforced(data) -> bool:
+    mode = data.get("bend_radius_mode") or "check"
+    if mode not in ("check", "enforce"):
+        raise ProblemError(
+            "cable.bend_radius_mode", f"is {shown(mode)}; it must be check or enforce"
+        )
+    return mode == "enforce"
+
+
+def _length(fields, start, end, supports) -> float:
+    place, mode = "cable.length_mode", fields.get("length_mode")
     if (mode is None) == (fields.get("length") is None):
         raise ProblemError("cable.length", "give either length or length_mode, and not both")
     if mode is None:
         return number("cable.length", fields["length"], above=0, unit="m")
     if not isinstance(mode, dict):
-        raise ProblemError(
-            "cable.length_mode", f"is {shown(mode)}; it must be an object with a kind"
-        )
+        raise ProblemError(place, f"is {shown(mode)}; it must be an object with a kind")
     kind = mode.get("kind")
+    if kind not in ("slack", "shortest"):
+        raise ProblemError(f"{place}.kind", f"is {shown(kind)}; it must be slack or shortest")
+    _fields(place, mode, ("kind", "value") if kind == "slack" else ("kind",), ())
+    held = [end for end in (start, *supports, end) if not isinstance(end, Free)]
+    if isinstance(start, Free) or isinstance(end, Free):
+        raise ProblemError(place, f"{kind} needs both ends held at a position; give a length")
+    way = chord_through([each.position for each in held])
+    if way == 0:
+        raise ProblemError(
+            place, f"the ends are at the same point, so {kind} has no base; give a length"
+        )
     if kind == "shortest":
-        raise NotYetError("cable.length_mode", "shortest is not yet solved by this version")
-    if kind != "slack":
-        raise ProblemError(
-            "cable.length_mode.kind", f"is {shown(kind)}; it must be slack or shortest"
-        )
-    place = "cable.length_mode"
-    slack = number(
-        f"{place}.value", _fields(place, mode, ("kind", "value"), ())["value"], at_least=0
-    )
-    if not (isinstance(start, Pinned) and isinstance(end, Pinned)):
-        raise ProblemError(place, "slack needs both ends held at a position; give a length")
-    chord = float(np.linalg.norm(end.position - start.position))
-    if chord == 0:
-        raise ProblemError(
-            place, "the ends are at the same point, so slack has no base; give a length"
-        )
-    return chord * (1 + slack)
+        return way * START
+    return way * (1 + number(f"{place}.value", mode["value"], at_least=0))
 
 
 def _end(place, data):

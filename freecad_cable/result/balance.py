@@ -29,9 +29,10 @@ class Balance:
     """largest effect on a section of the difference between the best n₀ and the reported one"""
 
 
-def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | None:
+def balance(rod, weight, arc_length, position, quaternion, force, contact=None) -> Balance | None:
     """Residuals of a rod's nodes: arc_length (n+1,), position (n+1, 3), quaternion (n+1, 4), force (n+1, 3);
-    weight (3,) [N/m]; all SI. None with fewer than three nodes."""
+    weight (3,) [N/m]; ``contact`` (n+1, 3) [N] what acts on each node from outside; all SI. None with fewer than
+    three nodes."""
     if len(arc_length) < 3:
         return None
     degree = min(5, (len(arc_length) - 1) | 1)
@@ -53,6 +54,12 @@ def balance(rod, weight, arc_length, position, quaternion, force) -> Balance | N
     # Read as the strain that it would cause, so that a direction in which the rod is stiff, where the least
     # error of a frame is a large moment, does not drown the others.
     known = moment - rotation.cross(lever, np.outer(s - s[0], weight)) + weighed
+    if contact is not None:
+        # Every contact passed adds (r − its place) × its force to the moment.
+        passed = np.clip(np.searchsorted(arc_length, s, "right") - 1, 0, None)
+        sums = np.cumsum(contact, axis=0)[passed]
+        turning = np.cumsum(rotation.cross(position, contact), axis=0)[passed]
+        known = known - rotation.cross(places(s), sums) + turning
     matrix = np.concatenate(
         [rotation.cross_matrix(lever), -np.tile(np.eye(3), (len(s), 1, 1))], axis=2
     )

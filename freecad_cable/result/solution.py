@@ -20,6 +20,18 @@ class Load:
 
 
 @dataclass(frozen=True)
+class Contact:
+    """What an obstacle exerts on one place of the cable."""
+
+    arc_length: float
+    """[m] of the middle of the force"""
+    obstacle: int
+    """index of the scene's obstacle"""
+    force: np.ndarray
+    """(3,) [N] on the cable, summed over the place"""
+
+
+@dataclass(frozen=True)
 class Energy:
     """[J]; gravity is measured along −gravity from the start point."""
 
@@ -31,6 +43,19 @@ class Energy:
     @property
     def total(self) -> float:
         return self.bending + self.torsion + self.stretch + self.gravity
+
+
+@dataclass(frozen=True)
+class LengthBound:
+    """One end of the interval of lengths that satisfy all requirements."""
+
+    length: float
+    """[m]"""
+    requirement: str | None
+    """what fails beyond it: bend radius, clearance, reach or equilibrium; None where the search ended"""
+    arc_length: float | None
+    """[m] where on the cable it fails; None if that is no place"""
+    sentence: str
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,8 +92,9 @@ class Solution:
     """node of each support; force, moment and curvature there are those just before it"""
     min_bend_radius: tuple[float, float] | None = None
     """smallest bend radius of the centreline [m] and the arc length where it is [m]"""
-    contacts: tuple = ()
+    contacts: tuple[Contact, ...] = ()
     min_clearance: float | None = None
+    """smallest distance between the surfaces of the cable and of the obstacles in its reach [m]; None without any"""
     stable: bool | None = None
     """whether the second variation of the energy is positive; None if not known"""
     position_error: float | None = None
@@ -76,9 +102,14 @@ class Solution:
     balance: Balance | None = None
     """residuals of the equations of equilibrium, recomputed from the nodes alone"""
 
+    feasible_lengths: tuple[LengthBound, LengthBound] | None = None
+    """shortest and longest, where the length was asked for"""
+
     left_out: tuple[str, ...] = ()
     """what the model left out, and why, as sentences"""
     kept: tuple[str, ...] = ()
+    stretches: tuple["Solution", ...] = ()
+    """of a cable that clamps cut into stretches, the solution of each"""
     solver: dict = field(default_factory=dict)
     """name, scheme, elements, iterations, build_time [s], solve_time [s]"""
 

@@ -24,8 +24,16 @@ def solution_data(solution: Solution) -> dict:
         "end_reaction": _load(solution.end_reaction),
         "support_reactions": [_load(load) for load in solution.support_reactions],
         "min_bend_radius": radius and {"value": _plain(radius[0]), "arc_length": radius[1]},
-        "contacts": list(solution.contacts),
+        "contacts": [
+            {"arc_length": c.arc_length, "obstacle": c.obstacle, "force": _plain(c.force)}
+            for c in solution.contacts
+        ],
         "min_clearance": _plain(solution.min_clearance),
+        "feasible_lengths": solution.feasible_lengths
+        and {
+            name: asdict(bound)
+            for name, bound in zip(("shortest", "longest"), solution.feasible_lengths, strict=True)
+        },
         "stable": solution.stable,
         "error_estimate": {"position": _plain(solution.position_error)},
         "balance": solution.balance and asdict(solution.balance),

@@ -13,7 +13,6 @@ import numpy as np
 from ..transcription import contact
 from ..transcription.shape import Shape
 from . import mesh
-from .surroundings import PENETRATION
 from .trial import Problem, TimeUpError, Trial
 
 PASSES = 25
@@ -31,7 +30,7 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
     """The equilibrium among the scene's obstacles, from one without; None if none is found. If the cable keeps away
     from all of them by itself, the trial is the answer."""
     around_it = problem.surroundings
-    if not around_it.obstacles or not _deep(around_it, trial.shape).any():
+    if not around_it.deepest(trial.shape):
         return trial
     if problem.scene.options.elements is not None:
         return _settled(problem, trial.shape, leaving=True)
@@ -67,17 +66,12 @@ def _gathered(problem, found):
             moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
             error = float(np.linalg.norm(moved, axis=1).max())
             found = replace(finer, measured=error)
-            if error <= tolerance and not _deep(around_it, found.shape).any():
+            if error <= tolerance and not around_it.deepest(found.shape):
                 return found
     except TimeUpError:
         if np.isinf(found.measured):
             raise
     return found
-
-
-def _deep(around_it, shape):
-    """(n,) whether an element is inside an obstacle by more than may be."""
-    return around_it.between(shape) < -PENETRATION * around_it.radius
 
 
 def _places(trial, around_it):
@@ -88,7 +82,7 @@ def _places(trial, around_it):
     places = []
     for a, b in zip(edges[::2], edges[1::2] - 1, strict=True):
         places += [s[a]] if a == b else [s[a], s[b]]
-    if _deep(around_it, trial.shape).any():
+    if around_it.deepest(trial.shape):
         worst = int(np.argmin(around_it.between(trial.shape)))
         places.append((s[worst] + s[worst + 1]) / 2)
     return places

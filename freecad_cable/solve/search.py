@@ -37,9 +37,9 @@ DOUBTFUL_ROLL = 2.0
 
 def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
-    if problem.surroundings.obstacles and warm is not None:
-        if (found := contact.resumed(problem, warm)) is not None:
-            return found
+    touching = warm is not None and problem.surroundings.obstacles
+    if touching and (found := contact.resumed(problem, warm)) is not None:
+        return found
     found = _free(problem, warm)
     if found is not None and problem.scene.enforce_bend_radius:
         found = _formed(problem, found)

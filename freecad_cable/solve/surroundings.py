@@ -88,6 +88,13 @@ class Surroundings:
             return np.inf
         return float(self.between(shape).min()) + self.keep - self.radius
 
+    def deepest(self, shape: Shape) -> float:
+        """How far the cable enters the distance to keep, without units; 0 if no more than it may."""
+        if not self.obstacles:
+            return 0.0
+        depth = -float(self.between(shape).min())
+        return depth if depth > PENETRATION * self.radius else 0.0
+
     def between(self, shape: Shape) -> np.ndarray:
         """(n,) smallest gap over each element, its inside included."""
         if not self.obstacles:

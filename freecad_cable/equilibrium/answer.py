@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a converged trial says, in SI units, and whether it may pass as an answer."""
+
+import numpy as np
+
+from ..problem.reduce import Model
+from ..result import (
+    Balance,
+    Contact,
+    Energy,
+    Load,
+    Solution,
+    balance,
+    end_violation,
+    smallest_bend_radius,
+    support_violation,
+)
+from ..status import Status
+
+HELD = 1e-5
+"""Violation of an end or a support above which no answer passes; the solver leaves 1e-7 at most."""
+UNBALANCED = 0.2
+"""Residual of the independent balance check above which no answer passes as one. Splines through the nodes of
+good answers stay below 0.1, those of wrong ones reach 1."""
+
+
+def solution(problem, trial, model: Model) -> Solution:
+    """The solution of a ``Problem`` from its ``Trial``."""
+    scene, scaling, shape = problem.scene, problem.scaling, trial.shape
+    rod, length = scene.rod, scaling.length
+    arc_length = shape.arc_length * length
+    position = scaling.origin + shape.position * length
+    force, moment = shape.force * scaling.force, shape.moment * scaling.energy
+    curvature = shape.strain[:, :3] / length
+    pushes = trial.contact_forces * scaling.force if trial.touches else None
+    check = _balance(rod, scene.weight, scaling, shape, pushes)
+    nodes = tuple(joint.node for joint in shape.joints)
+    violation = max(
+        end_violation(scene, position, shape.quaternion),
+        support_violation(scene, nodes, arc_length, position, shape.quaternion),
+    )
+    depth = problem.surroundings.deepest(shape) * length
+    status, message = _verdict(scene, trial, check, violation, depth)
+    return Solution(
+        scene=scene,
+        status=status,
+        message=message,
+        arc_length=arc_length,
+        position=position,
+        quaternion=shape.quaternion,
+        force=force,
+        moment=moment,
+        curvature=curvature,
+        energy=_energy(problem, trial),
+        start_reaction=Load(-force[0], -moment[0]),
+        end_reaction=Load(force[-1], moment[-1]),
+        support_reactions=tuple(
+            Load(joint.force * scaling.force, joint.moment * scaling.energy)
+            for joint in shape.joints
+        ),
+        support_nodes=nodes,
+        min_bend_radius=min(
+            smallest_bend_radius(part.arc_length * length, part.strain[:, :3] / length)
+            for part in shape.parts()
+        ),
+        contacts=() if pushes is None else _contacts(trial.owners, pushes, arc_length),
+        min_clearance=_clearance(problem, shape),
+        stable=trial.stable,
+        position_error=trial.error * length,
+        balance=check,
+        left_out=(*model.left_out, *_obstacles_left_out(problem, trial)),
+        kept=(*model.kept, *(["obstacles"] if trial.touches else [])),
+        solver=effort(problem, trial),
+    )
+
+
+def _balance(rod, weight, scaling, shape, pushes):
+    """The worst of the stretches between supports."""
+    nodes = [0, *(joint.node for joint in shape.joints), len(shape.steps)]
+    found = [
+        balance(
+            rod,
+            weight,
+            part.arc_length * scaling.length,
+            scaling.origin + part.position * scaling.length,
+            part.quaternion,
+            part.force * scaling.force,
+            None if pushes is None else pushes[a : b + 1].sum(axis=1),
+        )
+        for part, a, b in zip(shape.parts(), nodes, nodes[1:], strict=False)
+    ]
+    return Balance(max(b.moment for b in found), max(b.force for b in found))
+
+
+def _contacts(owners, pushes, arc_length):
+    """One contact for each run of nodes that an obstacle pushes: pushes (n+1, contacts, 3) [N]."""
+    found = []
+    for obstacle in np.unique(owners[owners >= 0]):
+        force = (pushes * (owners == obstacle)[..., None]).sum(axis=1)
+        size = np.linalg.norm(force, axis=1)
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], (size > 0).astype(int), [0]])))
+        for a, b in zip(edges[::2], edges[1::2], strict=True):
+            middle = np.average(arc_length[a:b], weights=size[a:b])
+            found.append(Contact(float(middle), int(obstacle), force[a:b].sum(axis=0)))
+    return tuple(sorted(found, key=lambda contact: contact.arc_length))
+
+
+def _clearance(problem, shape):
+    if not problem.surroundings.obstacles:
+        return None
+    return problem.surroundings.clearance(shape) * problem.scaling.length
+
+
+def _obstacles_left_out(problem, trial):
+    """Sentences about obstacles that the model did not need."""
+    all_of_them, near = len(problem.scene.obstacles), len(problem.surroundings.obstacles)
+    if all_of_them > near:
+        count = "all" if near == 0 else f"{all_of_them - near} of"
+        yield (
+            f"obstacles: {count} {all_of_them} are out of reach of a cable of this length (exact)"
+        )
+    if near and not trial.touches:
+        yield "obstacles in reach: the cable keeps clear of them by itself (exact)"
+
+
+def _energy(problem, trial):
+    """In joules. The program measures gravity from its origin, which is the start unless that is free."""
+    scaling = problem.scaling
+    bending, torsion, stretch, gravity = (float(e) for e in trial.energies * scaling.energy)
+    weight = problem.scene.weight * scaling.length
+    gravity += float(weight @ trial.shape.position[0]) * scaling.length
+    return Energy(bending, torsion, stretch, gravity)
+
+
+def _verdict(scene, trial, check, violation, depth):
+    if trial.slipped:
+        place = scene.supports[trial.slipped[0]].place
+        return Status.NOT_CONVERGED, (
+            f"{Status.NOT_CONVERGED.value} The cable slides through {place} until nothing is left on one side of it; "
+            "give that support an arc length, or hold the cable elsewhere."
+        )
+    if not trial.stable:
+        return Status.UNSTABLE, Status.UNSTABLE.value
+    if violation > HELD:
+        return (
+            Status.NOT_CONVERGED,
+            f"{Status.NOT_CONVERGED.value} The shape it ended with is not held as its ends and supports say.",
+        )
+    if depth > 0:
+        keep = f" plus the clearance of {scene.clearance:g} m" if scene.clearance else ""
+        return Status.INACCURATE, (
+            f"{Status.INACCURATE.value} The cable is {depth:.2g} m nearer to an obstacle than its radius{keep} allows."
+        )
+    # Where a cable is formed its moments do not follow from its curvature, which is all that the check knows.
+    if not trial.nlp.structure.bend_limit and max(check.moment, check.force) > UNBALANCED:
+        return Status.INACCURATE, (
+            f"{Status.INACCURATE.value} Recomputed from its nodes, its moments are out of balance by "
+            f"{max(check.moment, check.force):.0%}."
+        )
+    tolerance = scene.options.tolerance
+    if trial.error <= tolerance:
+        return Status.CONVERGED, Status.CONVERGED.value
+    shortfall = f"The position error is estimated at {trial.error:.2g} of the length; {tolerance:g} was asked for"
+    if scene.options.elements is not None:
+        # Who chooses the mesh chooses the accuracy; the estimate says which.
+        return Status.CONVERGED, f"{Status.CONVERGED.value} {shortfall}, with elements fixed."
+    return (
+        Status.INACCURATE,
+        f"{Status.INACCURATE.value} {shortfall}, and neither mesh nor time allowed more.",
+    )
+
+
+def effort(problem, trial):
+    return {
+        "name": None if trial is None else trial.raw.solver,
+        "scheme": problem.scheme,
+        "elements": None if trial is None else len(trial.shape.steps),
+        "iterations": problem.iterations,
+        "build_time": problem.build_time,
+        "solve_time": problem.solve_time,
+    }

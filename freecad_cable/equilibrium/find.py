@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The front door of the core: a scene in, its equilibrium out."""
+
+import numpy as np
+
+from ..errors import SolverMissingError
+from ..geometry import rotation
+from ..problem import Scene
+from ..problem.reduce import reduce
+from ..result import Solution, is_near
+from ..status import Status
+from . import stretches
+from .answer import effort, solution
+from .length_design import shortest
+
+NO_SLACK = 1e-7
+"""Slack, relative to the length, below which an inextensible cable has no finite tension that a
+computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
+
+HEAVIEST = 5e6
+"""Weight ratio above which no case was ever solved; a wrong unit is likelier than such a cable."""
+
+
+def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution:
+    """The stable equilibrium of a scene, to the tolerance of its options.
+
+    ``start``, the solution of a scene that differs little, keeps the branch that the cable is on and is quicker;
+    one that differs much is ignored. Where the scene asks for its length, that is found too.
+    Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi.
+    """
+    if scene.asks_length:
+        return shortest(scene, find_equilibrium)
+    if stretches.cuts(scene):
+        return stretches.solved(scene, find_equilibrium, start)
+    model = reduce(scene)
+    if (sentence := _without_slack(scene)) is not None:
+        return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)
+    try:
+        from ..solve.search import find
+        from ..solve.trial import Problem, TimeUpError
+    except ImportError as error:
+        if error.name and error.name.split(".")[0] != "casadi":
+            raise
+        raise SolverMissingError(
+            "CasADi is not installed, so no cable can be solved; what was solved before can still be seen. "
+            "Install it with: python3 -m pip install --no-deps casadi"
+        ) from error
+    problem = Problem.of(scene, model)
+    if problem.scaling.weight_ratio > HEAVIEST:
+        message = (
+            f"{Status.NOT_CONVERGED.value} Its weight against its bending stiffness, w L³/EI, is "
+            f"{problem.scaling.weight_ratio:.0e}, and {HEAVIEST:.0e} is the most that this version can solve: check "
+            "mass, stiffness and length for a wrong unit."
+        )
+        return Solution(scene=scene, status=Status.NOT_CONVERGED, message=message)
+    try:
+        trial = find(problem, None if start is None else _nodes(start, problem))
+    except TimeUpError:
+        message = f"{Status.TIME_LIMIT.value} It is {scene.options.time_limit:g} s."
+        return Solution(scene=scene, status=Status.TIME_LIMIT, message=message)
+    if trial is None:
+        return Solution(
+            scene=scene,
+            status=Status.NOT_CONVERGED,
+            message=f"{Status.NOT_CONVERGED.value} {_advice(scene)}",
+            solver=effort(problem, None),
+        )
+    return solution(problem, trial, model)
+
+
+def _without_slack(scene):
+    rod = scene.rod
+    if rod.axial_stiffness is not None:
+        return None
+    if not scene.spans:
+        return None
+    slack = 1 - scene.chord / rod.length
+    if slack >= NO_SLACK:
+        return None
+    return (
+        f"cable.length: is {rod.length:.9g} m and the ends are {scene.chord:.9g} m apart, which leaves no "
+        f"slack; an inextensible cable needs at least {scene.chord * (1 + 1e-5):.9g} m, or give it an axial stiffness"
+    )
+
+
+def _advice(scene):
+    if scene.spans:
+        ratio = scene.rod.length / max(scene.chord, 1e-12)
+        if ratio < 1.001:
+            return (
+                f"Its length is only {100 * (ratio - 1):.3g} % above the chord; give it more slack."
+            )
+    return "Check lengths, stiffness and mass for a wrong unit; a different length may be easier."
+
+
+def _nodes(solution, problem):
+    """The nodes of an earlier solution, without units, as a start for this one; None if it is too far."""
+    from ..transcription.shape import Joint, Shape
+
+    scene, scaling = problem.scene, problem.scaling
+    if solution.position is None or not is_near(solution, scene):
+        return None
+    span = solution.arc_length[-1]
+    frames = rotation.matrix(solution.quaternion)
+
+    def strain(curvature):
+        return np.concatenate([curvature * span, np.zeros_like(curvature)], axis=-1)
+
+    joints = []
+    for node, load in zip(solution.support_nodes, solution.support_reactions, strict=True):
+        moment = frames[node].T @ (solution.moment[node] - load.moment)
+        beyond = scene.rod.natural_curvature + moment / scene.rod.stiffness
+        force, turning = load.force / scaling.force, load.moment / scaling.energy
+        joints.append(Joint(node, strain(beyond), force, turning))
+    return Shape(
+        _arc_lengths(solution, scene),
+        scaling.point(solution.position),
+        rotation.continuous(solution.quaternion),
+        strain(solution.curvature),
+        solution.force / scaling.force,
+        solution.moment / scaling.energy,
+        tuple(joints),
+    )
+
+
+def _arc_lengths(solution, scene):
+    """Those of the nodes of an earlier solution, relative to the length, with those of the supports where they are
+    given now."""
+    before = solution.arc_length / solution.arc_length[-1]
+    given = [
+        (before[node], support.arc_length / scene.rod.length)
+        for node, support in zip(solution.support_nodes, scene.supports, strict=True)
+        if not support.slides
+    ]
+    return np.interp(before, *np.transpose([(0.0, 0.0), *given, (1.0, 1.0)]))
