@@ -27,6 +27,8 @@ class Frame:
     placement: Placement
     size: float
     """radius of the circle, or half the width of the face [mm]"""
+    is_round: bool = False
+    """whether ``size`` is the radius of a circle or a cylinder"""
 
 
 def frame_of(found, axes=None, reverse=False) -> Frame:
@@ -58,6 +60,18 @@ def frame_of(found, axes=None, reverse=False) -> Frame:
     )
 
 
+def passage_of(found, axes=None) -> Frame:
+    """The same for a cable that passes: on a cylinder halfway through it."""
+    shape = found.element
+    if axes is None and shape is not None and isinstance(_geometry(shape), Part.Cylinder):
+        _, _, low, high = shape.ParameterRange
+        surface = shape.Surface
+        middle = surface.Center + surface.Axis * ((low + high) / 2)
+        x = surface.value(0, 0) - surface.Center
+        return _frame(middle, x, surface.Axis, surface.Radius, is_round=True)
+    return frame_of(found, axes)
+
+
 def _geometry(shape):
     """Curve or surface; None for an edge that is but a point."""
     try:
@@ -71,15 +85,15 @@ def _turned(placement, reverse):
     return placement * Placement(Vector(), Rotation(Vector(1, 0, 0), 180)) if reverse else placement
 
 
-def _frame(origin, x, z, size):
-    return Frame(Placement(origin, Rotation(x, z.cross(x), z, "ZXY")), size)
+def _frame(origin, x, z, size, *, is_round=False):
+    return Frame(Placement(origin, Rotation(x, z.cross(x), z, "ZXY")), size, is_round)
 
 
 def _on_circle(edge, whole, reverse):
     circle = edge.Curve
     z = _out_of_circle(edge, whole)
     x = circle.value(0) - circle.Center
-    return _frame(circle.Center, x, -z if reverse else z, circle.Radius)
+    return _frame(circle.Center, x, -z if reverse else z, circle.Radius, is_round=True)
 
 
 def _out_of_circle(edge, whole):
@@ -112,7 +126,7 @@ def _on_cylinder(face, whole, reverse):
         z, origin = axis, surface.Center + axis * high
     else:
         z, origin = -axis, surface.Center + axis * low
-    return _frame(origin, surface.value(0, 0) - surface.Center, z, surface.Radius)
+    return _frame(origin, surface.value(0, 0) - surface.Center, z, surface.Radius, is_round=True)
 
 
 def _middle(whole):

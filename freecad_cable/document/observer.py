@@ -41,6 +41,19 @@ _observer = Observer()
 _installed = []
 
 
+def dependents(obj):
+    """All that depends on ``obj``. FreeCAD's own list refuses where links run in a circle."""
+    found, new = {}, [obj]
+    while new:
+        for dependent in new.pop().InList:
+            key = dependent.Document.Name, dependent.Name
+            if key not in found:
+                found[key] = dependent
+                new.append(dependent)
+    found.pop((obj.Document.Name, obj.Name), None)
+    return list(found.values())
+
+
 def _reading(document):
     """Whether FreeCAD is filling in what a file or a copy says."""
     return document.Restoring or document.Importing
@@ -49,7 +62,7 @@ def _reading(document):
 def _touch_dependents(obj):
     if _reading(obj.Document):
         return
-    for dependent in (obj, *obj.InListRecursive):
+    for dependent in (obj, *dependents(obj)):
         if getattr(getattr(dependent, "Proxy", None), "follows_placements", False):
             dependent.touch()
 
@@ -58,6 +71,6 @@ def _rebase_references(document):
     if _reading(document) or document.Transacting:
         return
     for obj in document.findObjects("Part::FeaturePython"):
-        rebase = getattr(getattr(obj, "Proxy", None), "rebase_reference", None)
+        rebase = getattr(getattr(obj, "Proxy", None), "rebase_references", None)
         if rebase:
             rebase(obj)

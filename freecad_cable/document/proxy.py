@@ -55,7 +55,7 @@ class Proxy:
 
     def clear_dependents(self, obj, sentence):
         """FreeCAD does not execute what depends on a failed object, so its old shape would stay and look new."""
-        for dependent in obj.InListRecursive:
+        for dependent in observer.dependents(obj):
             if proxy := proxy_of(dependent, Proxy):
                 proxy.clear(dependent, sentence)
 

@@ -13,6 +13,7 @@ import Part
 from FreeCAD import Placement
 
 from ..errors import DocumentError
+from .proxy import in_use
 
 MISSING = "?"
 """FreeCAD marks the name of an edge or face that is gone with it."""
@@ -72,6 +73,20 @@ def container(obj):
         return group
     # A link group, or a link to several instances.
     return next((p for p in obj.InList if obj in getattr(p, "ElementList", ())), None)
+
+
+def rebase(obj, name):
+    """Say the references in the property ``name`` from roots beside ``obj``, whatever form a user, a macro or a move
+    left them in."""
+    if not in_use(obj) or obj.Document.Transacting:
+        return
+    given = pairs(getattr(obj, name))
+    try:
+        based = [based_beside(obj, pair) for pair in given]
+    except DocumentError:
+        return  # said when the object is computed
+    if based != given:
+        setattr(obj, name, based)
 
 
 def based_beside(referrer, pair):
