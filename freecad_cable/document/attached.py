@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What stands on an edge, a face or an object of a part, and stays with it when the part moves."""
 
-from FreeCAD import Placement, Vector
+from FreeCAD import Placement
 
 from ..errors import DocumentError
 from .property_table import Prop, wrong
@@ -15,9 +15,7 @@ REFERENCE = Prop(
     "Circular edge, flat or cylindrical face, vertex or object where the cable is held; a second one, a local "
     "coordinate system, gives the axes at a vertex",
 )
-OFFSET = Prop(
-    "Offset", "Placement", "Attachment", "Displacement from the reference, in its axes"
-)
+OFFSET = Prop("Offset", "Placement", "Attachment", "Displacement from the reference, in its axes")
 FRAME = Prop(
     "Frame",
     "Placement",

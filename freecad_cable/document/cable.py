@@ -27,11 +27,20 @@ class Cable(Proxy):
         Prop("CableType", "LinkGlobal", "Cable", "What the cable is made of"),
         Prop("Start", "Link", "Cable", "Terminal where the cable starts"),
         Prop("End", "Link", "Cable", "Terminal where the cable ends"),
+        Prop("Supports", "LinkList", "Cable", "What holds the cable on its way, in order along it"),
+        Prop(
+            "Clearance",
+            "Distance",
+            "Cable",
+            "Least distance between the surface of the cable and the obstacles",
+            unit="mm",
+        ),
         Prop(
             "LengthMode",
             "Enumeration",
             "Cable",
-            "Fixed: the length is given. Slack: it follows from the distance of the terminals",
+            "Fixed: the length is given. Slack: it follows from the distance of the terminals, measured over the "
+            "supports",
             "Fixed",
             choices=("Fixed", "Slack"),
         ),
@@ -40,7 +49,8 @@ class Cable(Proxy):
             "Slack",
             "Float",
             "Cable",
-            "(length - distance) / distance, with the straight distance of the terminals; 0.1 is 10 %",
+            "(length - distance) / distance, with the straight way from terminal to terminal over the supports; "
+            "0.1 is 10 %",
             0.1,
         ),
         Prop(

@@ -18,6 +18,7 @@ from .material_card import read_card
 from .proxy import proxy_of
 from .reference import based_beside, container, pairs
 from .route import Route
+from .support import Clamp, Clip, Ring, Sleeve, Support
 from .terminal import Terminal
 
 NEEDS_UNIT = ("Quantity", "Force", "Pressure")
@@ -32,11 +33,32 @@ def terminal(doc, reference, *, inside=None, **properties):
     ``inside`` is the part or assembly that the terminal belongs to and moves with; None: the top of the
     document. Properties: condition ("Clamped", "Swivel", "Pinned", "Free"), reverse, roll, offset.
     """
-    given = pairs(reference)
-    with _made(doc, "Part::FeaturePython", "Terminal", Terminal, inside) as obj:
-        _apply(obj, properties)
-        obj.Reference = [based_beside(obj, pair) for pair in given]
-    return obj
+    return _attached(doc, Terminal, reference, inside, properties)
+
+
+def clamp(doc, reference, *, position=None, inside=None, **properties):
+    """A clamp at ``reference``, as of a terminal. ``position`` ("250 mm") is the length of the cable from its start to
+    here. Properties: reverse, roll, offset, slides.
+    """
+    return _support(doc, Clamp, reference, position, inside, properties)
+
+
+def clip(doc, reference, *, position=None, inside=None, **properties):
+    """A clip, as a clamp that lets the cable twist. Properties: reverse, offset, slides."""
+    return _support(doc, Clip, reference, position, inside, properties)
+
+
+def sleeve(doc, reference, *, position=None, inside=None, **properties):
+    """A sleeve: the cable slides and twists in it; with a ``position`` it twists. Properties: reverse, offset."""
+    return _support(doc, Sleeve, reference, position, inside, properties)
+
+
+def ring(doc, reference, *, position=None, inside=None, **properties):
+    """A hole that the cable passes, from its circular edge; with a ``position`` it does not slide.
+
+    Properties: clearance, offset, and radius if the reference is no circle.
+    """
+    return _support(doc, Ring, reference, position, inside, properties)
 
 
 def cable_type(doc, name, *, card=None, **properties):
@@ -59,11 +81,12 @@ def cable_type(doc, name, *, card=None, **properties):
     return obj
 
 
-def cable(doc, *, start, end, cable_type=None, length=None, slack=None, **properties):
+def cable(doc, *, start, end, cable_type=None, length=None, slack=None, supports=(), **properties):
     """A cable between two terminals, with its centreline, beside them in their container.
 
     ``length`` ("730 mm") or ``slack``, (length − distance) / distance; neither: 10 % slack. ``cable_type`` None:
-    the first of the document, or a built-in one. Properties: gravity (m/s²), tolerance, profile.
+    the first of the document, or a built-in one. ``supports`` in order along the cable. Properties: clearance,
+    gravity (m/s²), tolerance, profile.
     """
     if length is not None and slack is not None:
         raise DocumentError("A cable has either a length or a slack; give one of them.")
@@ -74,11 +97,17 @@ def cable(doc, *, start, end, cable_type=None, length=None, slack=None, **proper
         raise DocumentError(
             f"The cable type is {_said(cable_type)}; make one with make.cable_type."
         )
+    supports = list(supports)
+    for support in supports:
+        if proxy_of(support, Support) is None:
+            raise DocumentError(
+                f"A support is {_said(support)}; it must be a clamp, sleeve, ring or clip."
+            )
     inside = container(start)
     with _made(doc, "Part::FeaturePython", "Cable", Cable, inside) as obj:
         obj.LengthMode = "Fixed" if length is not None else "Slack"
         _apply(obj, properties | _given(length=length, slack=slack))
-        obj.Start, obj.End = start, end
+        obj.Start, obj.End, obj.Supports = start, end, supports
         obj.CableType = cable_type or _some_type(doc)
         with _made(doc, "Part::FeaturePython", "Centreline", Centreline, inside) as line:
             line.Cable = obj
@@ -93,6 +122,20 @@ def route(doc, cable, *, method="Spline"):
     with _made(doc, "Part::FeaturePython", "Route", Route, container(cable)) as obj:
         obj.Cable = cable
         _apply(obj, {"method": method})
+    return obj
+
+
+def _support(doc, kind, reference, position, inside, properties):
+    if position is not None:
+        properties = {"slides": False, "position": position} | properties
+    return _attached(doc, kind, reference, inside, properties)
+
+
+def _attached(doc, kind, reference, inside, properties):
+    given = pairs(reference)
+    with _made(doc, "Part::FeaturePython", kind.__name__, kind, inside) as obj:
+        _apply(obj, properties)
+        obj.Reference = [based_beside(obj, pair) for pair in given]
     return obj
 
 

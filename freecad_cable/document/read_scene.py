@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From the properties of a cable and what it links to, to the scene that states its problem."""
 
-import numpy as np
-
 from ..errors import DocumentError, ProblemError
 from ..geometry import rotation
 from ..options import SolveOptions
@@ -11,6 +9,7 @@ from ..shape.units import from_si, placement_to_si, to_si
 from .cable_type import CableType
 from .property_table import Checked, wrong
 from .proxy import proxy_of
+from .read_supports import complaint, read_supports, straight_length
 from .reference import container
 from .terminal import Terminal
 
@@ -21,31 +20,43 @@ HALF_TURN = (0.0, 1.0, 0.0, 0.0)
 """About x, as a quaternion: a terminal looks out of its part, and at its end the cable runs into it."""
 
 IN_SCENE = {
+    "cable.length": "Length",
     "start": "Start",
     "end": "End",
     "gravity": "Gravity",
     "options": "Tolerance",
     "cable": "CableType",
+    "supports": "Supports",
+    "clearance": "Clearance",
 }
-"""Fields of the scene, up to the first dot, and the properties that state them."""
+"""Fields of the scene, whole or up to the first dot, and the properties that state them."""
 
 
 def read_scene(cable) -> Scene:
     """The scene of a cable, in the coordinates of its container. Errors: ``DocumentError``."""
-    start, end = _terminals(cable)
+    terminals = _terminals(cable)
     checked = Checked(cable, cable.Proxy.TABLE)
     try:
-        ends = _end("start", start), _end("end", end)
+        start, end = (_end(*item) for item in zip(("start", "end"), terminals, strict=True))
+        supports = read_supports(cable, start, end)
         return Scene(
-            rod=_rod(cable, checked, *ends),
-            start=ends[0],
-            end=ends[1],
+            rod=_rod(cable, checked, start, supports, end),
+            start=start,
+            end=end,
+            supports=supports,
             gravity=list(cable.Gravity),
+            clearance=to_si("length", checked.number("Clearance", at_least=0)),
             options=SolveOptions(tolerance=checked.number("Tolerance"), time_limit=PATIENCE),
         )
     except ProblemError as error:
-        name = IN_SCENE[error.field.partition(".")[0].partition("[")[0]]
-        raise wrong(cable, name, f"{error.message}.") from None
+        raise _in_properties(cable, error) from None
+
+
+def _in_properties(cable, error):
+    if (about_support := complaint(cable, error)) is not None:
+        return about_support
+    name = IN_SCENE.get(error.field) or IN_SCENE[error.field.partition(".")[0].partition("[")[0]]
+    return wrong(cable, name, f"{error.message}.")
 
 
 def _terminals(cable):
@@ -90,39 +101,39 @@ def _end(place, terminal):
     return Clamped(position, quaternion, place=place)
 
 
-def _rod(cable, checked, start, end):
+def _rod(cable, checked, start, supports, end):
     kind = cable.CableType
     proxy = proxy_of(kind, CableType)
     if proxy is None:
         said = "is empty" if kind is None else f"is {kind.Label}, which is no cable type"
         raise wrong(cable, "CableType", f"{said}; choose a cable type.")
-    chord = None
+    straight = None
     if isinstance(start, Pinned) and isinstance(end, Pinned):
-        chord = float(np.linalg.norm(end.position - start.position))
-    rod = proxy.rod(kind, _length(cable, checked, chord))
-    if chord is not None and rod.axial_stiffness is None and rod.length < chord:
+        straight = straight_length(start, supports, end)
+    rod = proxy.rod(kind, _length(cable, checked, straight))
+    if straight is not None and not supports and not rod.axial_stiffness and rod.length < straight:
         raise wrong(
             cable,
             "Length",
-            f"is {_mm(rod.length)}, but the terminals are {_mm(chord)} apart; the shortest possible length is "
-            f"{_mm(chord)}. Make the cable longer or bring the terminals closer.",
+            f"is {_mm(rod.length)}, but the terminals are {_mm(straight)} apart; the shortest possible length is "
+            f"{_mm(straight)}. Make the cable longer or bring the terminals closer.",
         )
     return rod
 
 
-def _length(cable, checked, chord):
+def _length(cable, checked, straight):
     """[m]"""
     if cable.LengthMode == "Fixed":
         return to_si("length", checked.number("Length", above=0))
     slack = checked.number("Slack", at_least=0)
-    if not chord:
-        reason = "the terminals are at the same point" if chord == 0 else "an end is free"
+    if not straight:
+        reason = "the terminals are at the same point" if straight == 0 else "an end is free"
         raise wrong(
             cable,
             "LengthMode",
             f"is Slack, but {reason}, so there is no straight distance; use Fixed.",
         )
-    return chord * (1 + slack)
+    return straight * (1 + slack)
 
 
 def _mm(length):

@@ -2,6 +2,8 @@
 """What a cable shows of its solution. Lengths in FreeCAD's mm; where FreeCAD 0.20 has no type, plain SI numbers
 with the unit in the text."""
 
+import math
+
 import numpy as np
 from FreeCAD import Vector
 
@@ -31,6 +33,16 @@ TABLE = tuple(
         ("StartMoment", "Vector", "Moment of the connector at the start on the cable, in N m"),
         ("EndForce", "Vector", "Force of the connector at the end on the cable, in N"),
         ("EndMoment", "Vector", "Moment of the connector at the end on the cable, in N m"),
+        (
+            "SupportForces",
+            "VectorList",
+            "Forces of the supports on the cable, in their order, in N",
+        ),
+        (
+            "SmallestClearance",
+            "Distance",
+            "Least distance between the surface of the cable and an obstacle; infinite if none is in reach",
+        ),
         ("ElasticEnergy", "Float", "Energy of bending, torsion and stretch, in J"),
         (
             "GravityEnergy",
@@ -65,6 +77,9 @@ def write(cable, solution: Solution):
     for name, load in (("Start", solution.start_reaction), ("End", solution.end_reaction)):
         setattr(cable, f"{name}Force", Vector(*load.force.tolist()))
         setattr(cable, f"{name}Moment", Vector(*load.moment.tolist()))
+    cable.SupportForces = [Vector(*load.force.tolist()) for load in solution.support_reactions]
+    clearance = solution.min_clearance
+    cable.SmallestClearance = math.inf if clearance is None else from_si("length", clearance)
     cable.ElasticEnergy = energy.bending + energy.torsion + energy.stretch
     cable.GravityEnergy = energy.gravity
     cable.Mass = rod.mass_per_length * rod.length

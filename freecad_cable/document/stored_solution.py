@@ -11,8 +11,7 @@ from dataclasses import fields, is_dataclass
 import numpy as np
 from FreeCAD import Vector
 
-from ..problem import Scene
-from ..problem.ends import End
+from ..problem import End, Scene, Support
 from ..result import Solution
 from ..shape.nodes import Nodes
 from ..status import Status
@@ -60,7 +59,7 @@ TABLE = (
 def fingerprint(value, decimals=None) -> str:
     """The same for scenes, or other nested data, that are the same but for rounding.
 
-    ``decimals`` of every number; None: ``DIGITS`` significant ones, and ``PLACE_DECIMALS`` at the ends.
+    ``decimals`` of every number; None: ``DIGITS`` significant ones, and ``PLACE_DECIMALS`` at ends and supports.
     """
     return hashlib.sha256(_text(value, decimals).encode()).hexdigest()
 
@@ -104,8 +103,9 @@ def _arrays(cable):
 
 def _text(value, decimals):
     if is_dataclass(value):
-        decimals = PLACE_DECIMALS if isinstance(value, End) else decimals
-        inside = (f"{f.name}={_text(getattr(value, f.name), decimals)}" for f in fields(value))
+        decimals = PLACE_DECIMALS if isinstance(value, (End, Support)) else decimals
+        named = ((f.name, getattr(value, f.name)) for f in fields(value) if f.name != "place")
+        inside = (f"{name}={_text(item, decimals)}" for name, item in named)
         return f"{type(value).__name__}({', '.join(inside)})"
     if isinstance(value, (tuple, list, np.ndarray)):
         return f"[{', '.join(_text(item, decimals) for item in value)}]"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where an end of a cable is held."""
 
-import Part
 from FreeCAD import Placement, Rotation, Vector
 
+from . import markers
 from .attached import FRAME, OFFSET, REFERENCE, STATUS, Attached
 from .frame import frame_of
 from .property_table import Checked, Prop
@@ -40,7 +40,7 @@ class Terminal(Attached):
         return Placement(Vector(), Rotation(Vector(0, 0, 1), roll))
 
     def marker(self, obj, size):
-        return marker(size)
+        return markers.terminal(size)
 
     def run(self, obj):
         if obj.Condition == "Free" and not obj.Reference:
@@ -48,15 +48,3 @@ class Terminal(Attached):
             self.clear(obj, "")
         else:
             super().run(obj)
-
-
-def marker(size):
-    """A square of half-width ``size`` [mm], an arrow out of it along z, and a tick along x, as lines."""
-    s = size
-    square = Part.makePolygon(
-        [Vector(x * s, y * s, 0) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1))]
-    )
-    arrow = Part.makePolygon([Vector(), Vector(0, 0, 2 * s)])
-    head = Part.makePolygon([Vector(x * s / 4, 0, z * s) for x, z in ((1, 1.5), (0, 2), (-1, 1.5))])
-    tick = Part.makePolygon([Vector(), Vector(s, 0, 0)])
-    return Part.makeCompound([square, arrow, head, tick])

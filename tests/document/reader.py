@@ -24,12 +24,13 @@ def seen(cable):
     """Everything a cable shows and keeps, as plain data."""
     said = {"State": cable.State, "Volume": None if cable.Shape.isNull() else cable.Shape.Volume}
     for prop in cable.Proxy.TABLE:
-        value = getattr(cable, prop.name)
-        said[prop.name] = getattr(value, "Name", None) or plain(value)
+        said[prop.name] = plain(getattr(cable, prop.name))
     return said
 
 
 def plain(value):
+    if hasattr(value, "TypeId") and hasattr(value, "Name"):
+        return value.Name
     if isinstance(value, FreeCAD.Vector):
         return list(value)
     if isinstance(value, FreeCAD.Units.Quantity):

@@ -8,13 +8,18 @@ from .cable import CableView
 from .cable_type import CableTypeView
 from .centreline import CentrelineView
 from .route import RouteView
+from .support import ClampView, ClipView, RingView, SleeveView
 from .terminal import TerminalView
 
 VIEWS = {
     "Cable": CableView,
     "CableType": CableTypeView,
     "Centreline": CentrelineView,
+    "Clamp": ClampView,
+    "Clip": ClipView,
+    "Ring": RingView,
     "Route": RouteView,
+    "Sleeve": SleeveView,
     "Terminal": TerminalView,
 }
 """Class of the proxy: class of the view."""

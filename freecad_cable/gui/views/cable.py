@@ -8,7 +8,7 @@ class CableView(View):
     icon_name = "cable"
 
     def claimChildren(self):
-        """The terminals, and what is drawn from the cable."""
+        """The terminals and supports, and what is drawn from the cable."""
         cable = self.object
         ours = [obj for obj in cable.InList if hasattr(getattr(obj, "Proxy", None), "TABLE")]
-        return [obj for obj in (cable.Start, cable.End, *ours) if obj]
+        return [obj for obj in (cable.Start, *cable.Supports, cable.End, *ours) if obj]

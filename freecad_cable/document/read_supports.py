@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the supports that a cable links to, to those of its scene."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from ..errors import DocumentError
+from ..problem import Pinned
+from ..shape.units import vector_to_si
+from .property_table import wrong
+from .proxy import proxy_of
+from .reference import container
+from .support import Support
+
+IN_SUPPORT = {
+    "arc_length": "Position",
+    "radius": "Radius",
+    "position": "Reference",
+    "quaternion": "Reference",
+    "tangent": "Reference",
+    "axis": "Reference",
+}
+"""Fields of a support of the scene and the properties that state them."""
+
+
+def place_of(support):
+    """How a scene, and so every message about it, calls a support."""
+    return f"support {support.Label}"
+
+
+def read_supports(cable, start, end) -> tuple:
+    """The supports of the scene, in order. ``start`` and ``end`` are its ends. Errors: ``DocumentError``,
+    ``ProblemError``."""
+    objects = _linked(cable)
+    course = _course(objects, start, end)
+    return tuple(
+        obj.Proxy.held(obj, place_of(obj), course[i + 2] - course[i])
+        for i, obj in enumerate(objects)
+    )
+
+
+def straight_length(start, supports, end) -> float:
+    """Length [m] of the straight lines from the start over the supports to the end, which both hold a position."""
+    points = [held.position for held in (start, *supports, end)]
+    return float(sum(np.linalg.norm(b - a) for a, b in pairwise(points)))
+
+
+def complaint(cable, error):
+    """The ``DocumentError`` of a ``ProblemError`` if it is about a support, else None."""
+    supports = {place_of(support): support for support in cable.Supports}
+    if (support := supports.get(error.field)) is not None:
+        return wrong(cable, "Supports", f"{support.Label} {error.message}.")
+    place, _, field = error.field.rpartition(".")
+    if (support := supports.get(place)) is None:
+        return None
+    name = IN_SUPPORT[field.partition("[")[0]]
+    return wrong(cable, "Supports", f"{support.Label}, {name}, {error.message}.")
+
+
+def _linked(cable):
+    found = list(cable.Supports)
+    for i, support in enumerate(found):
+        if proxy_of(support, Support) is None:
+            raise wrong(
+                cable,
+                "Supports",
+                f"has {support.Label}, which is no support; choose clamps, sleeves, rings or clips.",
+            )
+        if support.Status:
+            raise DocumentError(support.Status)
+        if container(support) is not container(cable):
+            raise wrong(
+                cable,
+                "Supports",
+                f"has {support.Label}, which is in another part or assembly than the cable; put both into the same.",
+            )
+        if support in found[:i]:
+            raise wrong(
+                cable, "Supports", f"has {support.Label} twice; a cable passes a support once."
+            )
+    return found
+
+
+def _course(objects, start, end):
+    """Points (n + 2, 3) [m]: the n supports, before them the start and after them the end. An end that is free stands
+    where its neighbour does."""
+    points = [vector_to_si(obj.Frame.Base) for obj in objects]
+    if not points:
+        return points
+    before = start.position if isinstance(start, Pinned) else points[0]
+    after = end.position if isinstance(end, Pinned) else points[-1]
+    return np.array([before, *points, after])
