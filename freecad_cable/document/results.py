@@ -39,6 +39,11 @@ TABLE = tuple(
             "Forces of the supports on the cable, in their order, in N",
         ),
         (
+            "SupportMoments",
+            "VectorList",
+            "Moments of the supports on the cable, in their order, in N m",
+        ),
+        (
             "SmallestClearance",
             "Distance",
             "Least distance between the surface of the cable and an obstacle; infinite if none is in reach",
@@ -77,7 +82,9 @@ def write(cable, solution: Solution):
     for name, load in (("Start", solution.start_reaction), ("End", solution.end_reaction)):
         setattr(cable, f"{name}Force", Vector(*load.force.tolist()))
         setattr(cable, f"{name}Moment", Vector(*load.moment.tolist()))
-    cable.SupportForces = [Vector(*load.force.tolist()) for load in solution.support_reactions]
+    reactions = solution.support_reactions
+    cable.SupportForces = [Vector(*load.force.tolist()) for load in reactions]
+    cable.SupportMoments = [Vector(*load.moment.tolist()) for load in reactions]
     clearance = solution.min_clearance
     cable.SmallestClearance = math.inf if clearance is None else from_si("length", clearance)
     cable.ElasticEnergy = energy.bending + energy.torsion + energy.stretch

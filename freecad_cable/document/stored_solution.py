@@ -12,7 +12,7 @@ import numpy as np
 from FreeCAD import Vector
 
 from ..problem import End, Scene, Support
-from ..result import Solution
+from ..result import Load, Solution
 from ..shape.nodes import Nodes
 from ..status import Status
 from .property_table import Prop
@@ -41,6 +41,14 @@ TABLE = (
     *(
         Prop(name, kind, "Nodes", text[:1].upper() + text[1:], result=True, hidden=True)
         for name, (_, kind, text) in NODES.items()
+    ),
+    Prop(
+        "NodeOfSupport",
+        "IntegerList",
+        "Nodes",
+        "Node of each support; force, moment and curvature there are those just before it",
+        result=True,
+        hidden=True,
     ),
     Prop(
         "SolvedInputs",
@@ -74,6 +82,7 @@ def keep(cable, solution: Solution):
             else [Vector(*row) for row in array.tolist()]
         )
         setattr(cable, name, rows)
+    cable.NodeOfSupport = list(solution.support_nodes)
 
 
 def kept(cable, scene: Scene) -> Solution | None:
@@ -81,7 +90,15 @@ def kept(cable, scene: Scene) -> Solution | None:
     if not cable.NodePosition:
         return None
     status = Status.CONVERGED
-    return Solution(scene=scene, status=status, message=status.value, **_arrays(cable))
+    loads = zip(cable.SupportForces, cable.SupportMoments, strict=True)
+    return Solution(
+        scene=scene,
+        status=status,
+        message=status.value,
+        support_nodes=tuple(cable.NodeOfSupport),
+        support_reactions=tuple(Load(np.array(force), np.array(moment)) for force, moment in loads),
+        **_arrays(cable),
+    )
 
 
 def nodes(cable) -> Nodes:
