@@ -4,6 +4,7 @@
 import unittest
 
 import FreeCAD
+import Part
 from FreeCAD import Placement, Rotation, Vector
 
 from freecad_cable.document import make
@@ -33,6 +34,20 @@ class DocumentTest(unittest.TestCase):
         turn = Rotation(Vector(0, 0, 1), Vector(*axis))
         pin.Placement = Placement(Vector(*base), turn) * Placement(Vector(0, 0, -10), Rotation())
         return pin
+
+    def plate(self, name, base, normal=(0, 0, 1), radius=10):
+        """A plate with a round hole whose middle is at ``base``, and the reference to an edge of the hole."""
+        plate = self.doc.addObject("Part::Feature", name)
+        hole = Part.makeCylinder(radius, 4, Vector(0, 0, -2))
+        plate.Shape = Part.makeBox(80, 60, 2, Vector(-40, -30, -2)).cut(hole)
+        plate.Placement = Placement(Vector(*base), Rotation(Vector(0, 0, 1), Vector(*normal)))
+        (edge,) = (
+            f"Edge{i}"
+            for i, edge in enumerate(plate.Shape.Edges, 1)
+            if isinstance(edge.Curve, Part.Circle)
+            and edge.Curve.Center.distanceToPoint(Vector(*base)) < 1e-9
+        )
+        return plate, edge
 
     def cable_between_pins(self, **arguments):
         """Two pins 120 mm apart look up, and a cable hangs over from one to the other."""
