@@ -90,3 +90,19 @@ class DocumentTest(unittest.TestCase):
             self.assertEqual(getattr(cable, name), 0, name)
         self.assertEqual(cable.EndForce, Vector())
         self.assertEqual(cable.ModelUsed, [])
+
+
+class SupportedTest(DocumentTest):
+    """Two pins 120 mm apart look up; above and between them a plate with a hole, across the cable."""
+
+    def setUp(self):
+        super().setUp()
+        self.part, edge = self.plate("Plate", (60, 20, 60), (1, 0, 0))
+        self.hole = self.part, edge
+        self.cable_between_pins(length="300 mm")
+        self.doc.recompute()
+
+    def support(self, kind, **arguments):
+        made = getattr(make, kind)(self.doc, self.hole, **arguments)
+        self.cable.Supports = [*self.cable.Supports, made]
+        return made

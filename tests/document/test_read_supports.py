@@ -1,42 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A cable with supports: the scene it states, the answer it gives, and what it says of supports that are wrong."""
+"""A cable with supports: the scene it states and the answer it gives."""
 
 import math
 
 import Part
 from FreeCAD import Placement, Rotation, Vector
 from reader import seen
-from scenes import TOP, DocumentTest
+from scenes import SupportedTest
 
 from freecad_cable.document import make
 from freecad_cable.document.read_scene import read_scene
 from freecad_cable.document.reference import container
-
-
-class SupportedTest(DocumentTest):
-    """Two pins 120 mm apart look up; above and between them a plate with a hole, across the cable."""
-
-    def setUp(self):
-        super().setUp()
-        self.part, edge = self.plate("Plate", (60, 20, 60), (1, 0, 0))
-        self.hole = self.part, edge
-        self.cable_between_pins(length="300 mm")
-        self.doc.recompute()
-
-    def support(self, kind, **arguments):
-        made = getattr(make, kind)(self.doc, self.hole, **arguments)
-        self.cable.Supports = [*self.cable.Supports, made]
-        return made
-
-    def stated(self):
-        """The supports of the scene; the cable is not solved."""
-        for support in self.cable.Supports:
-            support.recompute()
-        return read_scene(self.cable).supports
-
-    def passes(self, point, distance):
-        """That the centreline comes as near as ``distance`` [mm] to a point."""
-        return away(self.cable.Centreline, point) <= distance
 
 
 def away(drawn, point):
@@ -45,6 +19,12 @@ def away(drawn, point):
 
 
 class SceneTest(SupportedTest):
+    def stated(self):
+        """The supports of the scene; the cable is not solved."""
+        for support in self.cable.Supports:
+            support.recompute()
+        return read_scene(self.cable).supports
+
     def test_what_each_kind_states(self):
         for kind, arguments in (
             ("ring", {"clearance": "1 mm"}),
@@ -118,6 +98,10 @@ class SceneTest(SupportedTest):
 
 
 class AnswerTest(SupportedTest):
+    def passes(self, point, distance):
+        """That the centreline comes as near as ``distance`` [mm] to a point."""
+        return away(self.cable.Centreline, point) <= distance
+
     def test_the_cable_passes_its_supports(self):
         for kind, play in (("ring", 6.5), ("sleeve", 0), ("clip", 0), ("clamp", 0)):
             position = {"position": "150 mm"} if kind in ("clip", "clamp") else {}
@@ -219,83 +203,3 @@ class AnswerTest(SupportedTest):
         copy.Supports[0].Reference[0][0].Placement.Base += Vector(0, 5, 0)
         self.compute()
         self.assertEqual(seen(self.cable), before)
-
-
-class ErrorTest(SupportedTest):
-    """Each is a sentence on the cable, which shows nothing old."""
-
-    def check(self, *words):
-        sentence = self.assertFailed(self.cable, "Supports", *words)
-        self.assertNothingShown(self.cable)
-        self.assertEqual(self.cable.SupportForces, [])
-        return sentence
-
-    def test_order(self):
-        first, second = (self.support("clip", position=f"{at} mm") for at in (140, 165))
-        second.Offset = Placement(Vector(0, 0, 20), Rotation())
-        self.compute()
-        first.Label, second.Label = "First clip", "Second clip"
-        self.cable.Supports = [second, first]
-        self.check("First clip, Position", "0.14 m", "support Second clip", "0.165 m", "in order")
-        first.Position = "165 mm"
-        self.check("First clip, Position", "0.165 m", "in order")
-        self.cable.Supports = [first, second]
-        first.Position, second.Position = "140 mm", "300 mm"
-        self.check("Second clip, Position", "not on the cable", "0.3 m")
-
-    def test_a_ring_that_is_too_small(self):
-        ring = self.support("ring", clearance="7 mm")
-        ring.Label = "Eye"
-        self.check("Eye, Radius", "0.003 m", "0.0035 m", "does not pass")
-        ring.Clearance = "6.5 mm"
-        self.compute()
-
-    def test_too_far_away(self):
-        ring = self.support("ring")
-        self.part.Placement.Base.z = 500
-        sentence = self.assertFailed(self.cable, "Length", "through its supports")
-        self.assertIn("shortest possible length", sentence)
-        self.assertNothingShown(self.cable)
-        self.end.Condition = "Free"
-        self.check(ring.Label, "away from start", "does not reach")
-
-    def test_clamps_too_close_together(self):
-        self.support("clamp", position="100 mm").Label = "A.1"
-        far = self.support("clamp", position="110 mm")
-        far.Label, far.Offset = "B.2", Placement(Vector(0, 0, 30), Rotation())
-        self.check("B.2, Position", "0.01 m of cable", "support A.1", "0.03 m apart")
-
-    def test_a_support_without_its_part(self):
-        made = self.support("ring")
-        self.compute()
-        self.doc.removeObject("Plate")
-        self.doc.recompute()
-        self.assertNothingShown(self.cable)
-        self.assertIn(f"{made.Label}, Reference: is empty", self.cable.Status)
-        self.cable.touch()
-        self.cable.recompute()
-        self.assertIn(f"{made.Label}, Reference: is empty", self.cable.Status)
-
-    def test_what_is_no_support(self):
-        self.cable.Supports = [self.left]
-        self.check("has Left, which is no support")
-        self.cable.Supports = [self.start]
-        self.check("has Terminal, which is no support")
-
-    def test_the_same_support_twice(self):
-        ring = make.ring(self.doc, self.hole)
-        self.cable.Supports = [ring, ring]
-        self.check("has Ring twice")
-
-    def test_a_support_in_another_container(self):
-        unit = self.doc.addObject("App::Part", "Unit")
-        unit.addObject(self.pin("Inner", (0, 80, 0)))
-        self.doc.recompute()
-        inner = make.ring(self.doc, (unit, f"Inner.{TOP}"), inside=unit)
-        self.cable.Supports = [inner]
-        self.check("has Ring", "another part or assembly")
-
-    def test_nothing_holds_the_cable(self):
-        self.support("ring")
-        self.start.Condition = self.end.Condition = "Free"
-        self.check("slide out", "give a support an arc length")

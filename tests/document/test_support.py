@@ -133,7 +133,7 @@ class SupportTest(DocumentTest):
         self.assertFailed(clamp, "Roll", "finite")
 
     def test_a_hole_inside_linked_and_nested_parts(self):
-        """The plate of the copy, wherever assembly, copy or plate go, and if an assembly solver takes back the touch."""
+        """Wherever assembly, copy or plate go, and if an assembly solver takes back the touch."""
         assembly = self.doc.addObject("App::Part", "Assembly")
         unit = self.doc.addObject("App::Part", "Unit")
         unit.addObject(self.part)
