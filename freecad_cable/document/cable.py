@@ -14,6 +14,7 @@ from .cable_type import doubts
 from .property_table import Prop, wrong
 from .proxy import IncompleteError, Proxy, in_use
 from .read_scene import read_scene
+from .reference import rebase
 from .stored_solution import fingerprint, keep, kept, nodes
 
 PROFILE_DECIMALS = 7
@@ -28,6 +29,12 @@ class Cable(Proxy):
         Prop("Start", "Link", "Cable", "Terminal where the cable starts"),
         Prop("End", "Link", "Cable", "Terminal where the cable ends"),
         Prop("Supports", "LinkList", "Cable", "What holds the cable on its way, in order along it"),
+        Prop(
+            "Obstacles",
+            "XLinkSubList",
+            "Cable",
+            "Parts, assemblies, links to them and other cables that the cable must not enter",
+        ),
         Prop(
             "Clearance",
             "Distance",
@@ -100,6 +107,11 @@ class Cable(Proxy):
     def onChanged(self, obj, name):
         if name == "LengthMode" and in_use(obj):
             self.set_editor_modes(obj)
+        elif name == "Obstacles":
+            self.rebase_references(obj)
+
+    def rebase_references(self, obj):
+        rebase(obj, "Obstacles")
 
     def run(self, obj):
         self.set_editor_modes(obj)

@@ -6,7 +6,8 @@ from FreeCAD import Placement
 from ..shape.centreline import centreline_wire
 from .child import CABLE, Child
 from .property_table import Prop
-from .stored_solution import nodes
+from .read_scene import read_scene
+from .stored_solution import kept
 
 
 class Centreline(Child):
@@ -24,6 +25,6 @@ class Centreline(Child):
     def run(self, obj):
         cable = self.solved_cable(obj)
         obj.Placement = Placement()
-        obj.Shape = centreline_wire(nodes(cable))
+        obj.Shape = centreline_wire(kept(cable, read_scene(cable)))
         obj.Length = obj.Shape.Length
         obj.Status = ""

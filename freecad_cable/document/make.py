@@ -81,12 +81,23 @@ def cable_type(doc, name, *, card=None, **properties):
     return obj
 
 
-def cable(doc, *, start, end, cable_type=None, length=None, slack=None, supports=(), **properties):
+def cable(
+    doc,
+    *,
+    start,
+    end,
+    cable_type=None,
+    length=None,
+    slack=None,
+    supports=(),
+    obstacles=None,
+    **properties,
+):
     """A cable between two terminals, with its centreline, beside them in their container.
 
     ``length`` ("730 mm") or ``slack``, (length − distance) / distance; neither: 10 % slack. ``cable_type`` None:
-    the first of the document, or a built-in one. ``supports`` in order along the cable. Properties: clearance,
-    gravity (m/s²), tolerance, profile.
+    the first of the document, or a built-in one. ``supports`` in order along the cable. ``obstacles`` is an object, a
+    list of them, or of (assembly, "Part.Body."). Properties: clearance, gravity (m/s²), tolerance, profile.
     """
     if length is not None and slack is not None:
         raise DocumentError("A cable has either a length or a slack; give one of them.")
@@ -97,7 +108,7 @@ def cable(doc, *, start, end, cable_type=None, length=None, slack=None, supports
         raise DocumentError(
             f"The cable type is {_said(cable_type)}; make one with make.cable_type."
         )
-    supports = list(supports)
+    supports, obstacles = list(supports), pairs(obstacles)
     for support in supports:
         if proxy_of(support, Support) is None:
             raise DocumentError(
@@ -108,6 +119,7 @@ def cable(doc, *, start, end, cable_type=None, length=None, slack=None, supports
         obj.LengthMode = "Fixed" if length is not None else "Slack"
         _apply(obj, properties | _given(length=length, slack=slack))
         obj.Start, obj.End, obj.Supports = start, end, supports
+        obj.Obstacles = [based_beside(obj, pair) for pair in obstacles]
         obj.CableType = cable_type or _some_type(doc)
         with _made(doc, "Part::FeaturePython", "Centreline", Centreline, inside) as line:
             line.Cable = obj

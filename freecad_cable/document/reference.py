@@ -96,7 +96,7 @@ def based_beside(referrer, pair):
     way += [(name, _at(pair[0], down[: i + 1])) for i, name in enumerate(down)]
     target = way[-1][1]
     # A plain group has no placement; as a root it could hold the referrer itself.
-    way = [(name, step) for name, step in way if step is target or not _is_plain_group(step)]
+    way = [(name, step) for name, step in way if step is target or not is_plain_group(step)]
     own = _containers(referrer)
     if [step for _, step in way[: len(own)]] != own:
         raise DocumentError(
@@ -153,5 +153,6 @@ def _containers(obj):
     return found
 
 
-def _is_plain_group(obj):
+def is_plain_group(obj):
+    """Whether it has members but no placement."""
     return obj.isDerivedFrom("App::DocumentObjectGroup") and not hasattr(obj, "Placement")

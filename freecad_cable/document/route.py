@@ -11,7 +11,7 @@ from ..routes import METHODS, compare, inputs
 from ..shape.units import from_si, to_si, vectors_from_si
 from .child import CABLE, Child
 from .property_table import Prop, wrong
-from .read_scene import read_scene
+from .read_held import read_held
 from .stored_solution import fingerprint
 
 POINTS = 100
@@ -85,7 +85,7 @@ class Route(Child):
 
     def _draw(self, obj, cable):
         """Shape, length and bend radius, unless they stand: few routes depend on the length of the cable."""
-        scene = read_scene(cable)
+        scene = read_held(cable)
         drawn = fingerprint(inputs(obj.Method, scene))
         if not obj.Placement.isIdentity():
             obj.Placement = Placement()

@@ -11,7 +11,7 @@ from dataclasses import fields, is_dataclass
 import numpy as np
 from FreeCAD import Vector
 
-from ..problem import End, Scene, Support
+from ..problem import End, Mesh, Obstacle, Scene, Support
 from ..result import Load, Solution
 from ..shape.nodes import Nodes
 from ..status import Status
@@ -67,7 +67,7 @@ TABLE = (
 def fingerprint(value, decimals=None) -> str:
     """The same for scenes, or other nested data, that are the same but for rounding.
 
-    ``decimals`` of every number; None: ``DIGITS`` significant ones, and ``PLACE_DECIMALS`` at ends and supports.
+    ``decimals`` of every number; None: ``DIGITS`` significant ones, and ``PLACE_DECIMALS`` of places.
     """
     return hashlib.sha256(_text(value, decimals).encode()).hexdigest()
 
@@ -120,7 +120,9 @@ def _arrays(cable):
 
 def _text(value, decimals):
     if is_dataclass(value):
-        decimals = PLACE_DECIMALS if isinstance(value, (End, Support)) else decimals
+        if isinstance(value, Mesh):
+            return _surface(value)
+        decimals = PLACE_DECIMALS if isinstance(value, (End, Obstacle, Support)) else decimals
         named = ((f.name, getattr(value, f.name)) for f in fields(value) if f.name != "place")
         inside = (f"{name}={_text(item, decimals)}" for name, item in named)
         return f"{type(value).__name__}({', '.join(inside)})"
@@ -132,3 +134,12 @@ def _text(value, decimals):
             f"{value:.{DIGITS}g}" if decimals is None else repr(round(float(value), decimals) + 0.0)
         )
     return repr(value)
+
+
+def _surface(mesh):
+    """A mesh has too many numbers to ask each for its rounding: sums of them with weights that have no pattern."""
+    count = len(mesh.vertices)
+    weights = np.sin(np.arange(1, count + 1) ** 2 % 1e4)
+    sums = [*(weights @ mesh.vertices), *mesh.vertices.sum(axis=0) / count]
+    order = hashlib.sha256(np.ascontiguousarray(mesh.triangles, np.int64)).hexdigest()
+    return f"Mesh({count}, {order}, {_text(sums, PLACE_DECIMALS)})"

@@ -38,6 +38,11 @@ def vector_to_si(vector, kind="length"):
     return to_si(kind, np.array(vector, float))
 
 
+def vectors_to_si(vectors, kind="length"):
+    """FreeCAD vectors as an array (n, 3) in SI."""
+    return to_si(kind, np.array([tuple(vector) for vector in vectors], float))
+
+
 def vector_from_si(array, kind="length"):
     """An array (3,) in SI as a FreeCAD vector."""
     return FreeCAD.Vector(*from_si(kind, np.asarray(array, float)).tolist())

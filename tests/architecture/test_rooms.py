@@ -29,7 +29,7 @@ TABLE = {
     "reference": (f"{STATEMENT} result", "numpy scipy"),
     "equilibrium": (CORE, "numpy scipy"),
     "__main__": (f"{CORE} equilibrium", ""),
-    "shape": (CORE, "numpy FreeCAD Part"),
+    "shape": (CORE, "numpy FreeCAD MeshPart Part"),
     "document": (f"{CORE} equilibrium shape", "numpy FreeCAD Part"),
     "demo": (f"{CORE} equilibrium shape document", "numpy matplotlib FreeCAD Part Import"),
     "gui": (f"{CORE} shape document", "FreeCAD FreeCADGui Part PySide pivy"),

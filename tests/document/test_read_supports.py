@@ -9,7 +9,7 @@ from reader import seen
 from scenes import SupportedTest
 
 from freecad_cable.document import make
-from freecad_cable.document.read_scene import read_scene
+from freecad_cable.document.read_held import read_held
 from freecad_cable.document.reference import container
 
 
@@ -23,7 +23,7 @@ class SceneTest(SupportedTest):
         """The supports of the scene; the cable is not solved."""
         for support in self.cable.Supports:
             support.recompute()
-        return read_scene(self.cable).supports
+        return read_held(self.cable).supports
 
     def test_what_each_kind_states(self):
         for kind, arguments in (

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From what a cable links to as obstacles to those of its scene: solids, wherever parts, assemblies and links put
+them, and other cables. Of a part or an assembly what is visible counts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import Part
+
+from ..errors import DocumentError, ProblemError
+from ..problem import Free, Scene, Tube
+from ..problem.surroundings import out_of_reach
+from ..shape import obstacle
+from ..shape.centreline import centreline
+from ..shape.units import from_si, vectors_to_si
+from .observer import dependents
+from .property_table import wrong
+from .read_held import read_held
+from .reference import based_beside, is_plain_group, pairs
+from .stored_solution import nodes
+
+STRETCH = 1.05
+"""By how much more than its length a cable that stretches is taken to reach."""
+
+SAGITTA = 1 / 20
+"""Distance of a tube from the cable that it stands for, as a share of the cable's radius."""
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A solid on the way to an obstacle; triangles are made only of those in reach."""
+
+    label: str
+    name: str
+    shape: Part.Shape
+    bounds: np.ndarray
+
+
+def read_obstacles(cable, held: Scene) -> tuple:
+    """The obstacles that the cable of a scene without them may reach. Errors: ``DocumentError``."""
+    found = [each for pair in pairs(cable.Obstacles) for each in _read(cable, pair)]
+    return tuple(_stated(cable, each, held.rod.radius) for each in _in_reach(found, held))
+
+
+def _read(cable, pair):
+    root = pair[0]
+    if root is cable or any(obj is root for obj in dependents(cable)):
+        raise wrong(
+            cable,
+            "Obstacles",
+            f"has {root.Label}, which follows from the cable itself, so neither can be first; "
+            "of two cables, only one can have the other as an obstacle.",
+        )
+    try:
+        if based_beside(cable, pair) != pair:
+            raise DocumentError(f"leads out of its container; choose {root.Label} anew.")
+        found = list(_pieces(*pair))
+    except DocumentError as error:
+        raise wrong(cable, "Obstacles", str(error)) from None
+    if not found:
+        raise wrong(
+            cable, "Obstacles", f"has {root.Label}, which has no solid; choose parts with solids."
+        )
+    return found
+
+
+def _pieces(root, way):
+    """The solids and cables at the end of a way down from ``root``."""
+    obj = root.getSubObject(way, retType=1) if way else root
+    if obj is None:
+        raise DocumentError(f"has {way} of {root.Label}, which was deleted or moved.")
+    source = obj.getLinkedObject(True)
+    if hasattr(source, "NodePosition"):
+        yield _tube(source, root.getSubObject(way, retType=3))
+    elif source.isDerivedFrom("Part::Feature") and not getattr(obj, "ElementCount", 0):
+        for i, solid in enumerate(Part.getShape(root, way).Solids):
+            name = f"{source.Document.Name}.{source.Name}.{i}"
+            yield Piece(obj.Label, name, solid, obstacle.bounds(name, solid))
+    else:
+        for step in obj.getSubObjects():
+            child = obj.getSubObject(step, retType=1)
+            # What is in a plain group is in the container, too.
+            if child and not is_plain_group(child) and _is_visible(obj, step, child):
+                yield from _pieces(root, way + step)
+
+
+def _is_visible(parent, step, child):
+    shown = parent.isElementVisible(step.rstrip("."))
+    return child.Visibility if shown < 0 else bool(shown)
+
+
+def _tube(cable, placement) -> Tube:
+    """Another cable, at ``placement`` of its container."""
+    if not cable.SolvedInputs:
+        raise DocumentError(
+            cable.Status or f"has {cable.Label}, which is not solved; recompute it."
+        )
+    radius = read_held(cable).rod.radius
+    curve = centreline(nodes(cable)).toShape()
+    deflection = SAGITTA * from_si("length", radius)
+    points = [placement.multVec(point) for point in curve.discretize(Deflection=deflection)]
+    return Tube(vectors_to_si(points), radius, place=f"obstacle {cable.Label}")
+
+
+def _in_reach(found, held):
+    if not found:
+        return []
+    ends = [end.position for end in (held.start, held.end) if not isinstance(end, Free)]
+    first, *second = ends or [held.supports[0].position]
+    length = held.rod.length * (1 if held.rod.axial_stiffness is None else STRETCH)
+    margin = held.rod.radius + held.clearance
+    far = out_of_reach(found, first, second[0] if second else None, length, margin)
+    return [each for each, is_far in zip(found, far, strict=True) if not is_far]
+
+
+def _stated(cable, found, radius):
+    if isinstance(found, Tube):
+        return found
+    try:
+        return obstacle.mesh(found.name, found.shape, radius, f"obstacle {found.label}")
+    except ProblemError as error:
+        raise wrong(cable, "Obstacles", f"has {found.label}: {error.message}.") from None

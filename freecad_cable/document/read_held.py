@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From the properties of a cable and of what holds it to the scene that states its problem, without obstacles."""
+
+from ..errors import DocumentError, ProblemError
+from ..geometry import rotation
+from ..options import SolveOptions
+from ..problem import Clamped, Free, Pinned, Scene, Swivel
+from ..shape.units import from_si, placement_to_si, to_si
+from .cable_type import CableType
+from .property_table import Checked, wrong
+from .proxy import proxy_of
+from .read_supports import complaint, read_supports, straight_length
+from .reference import container
+from .terminal import Terminal
+
+PATIENCE = 20.0
+"""Seconds after which a solve gives up: the window stands still meanwhile."""
+
+HALF_TURN = (0.0, 1.0, 0.0, 0.0)
+"""About x, as a quaternion: a terminal looks out of its part, and at its end the cable runs into it."""
+
+IN_SCENE = {
+    "cable.length": "Length",
+    "start": "Start",
+    "end": "End",
+    "gravity": "Gravity",
+    "options": "Tolerance",
+    "cable": "CableType",
+    "supports": "Supports",
+}
+"""Fields of the scene, whole or up to the first dot, and the properties that state them."""
+
+
+def read_held(cable) -> Scene:
+    """The scene of a cable without obstacles, in the coordinates of its container. Errors: ``DocumentError``."""
+    terminals = _terminals(cable)
+    checked = Checked(cable, cable.Proxy.TABLE)
+    try:
+        start, end = (_end(*item) for item in zip(("start", "end"), terminals, strict=True))
+        supports = read_supports(cable, start, end)
+        return Scene(
+            rod=_rod(cable, checked, start, supports, end),
+            start=start,
+            end=end,
+            supports=supports,
+            gravity=list(cable.Gravity),
+            options=SolveOptions(tolerance=checked.number("Tolerance"), time_limit=PATIENCE),
+        )
+    except ProblemError as error:
+        raise _in_properties(cable, error) from None
+
+
+def _in_properties(cable, error):
+    if (about_support := complaint(cable, error)) is not None:
+        return about_support
+    name = IN_SCENE.get(error.field) or IN_SCENE[error.field.partition(".")[0].partition("[")[0]]
+    return wrong(cable, name, f"{error.message}.")
+
+
+def _terminals(cable):
+    found = []
+    for name in ("Start", "End"):
+        terminal = getattr(cable, name)
+        if terminal is None:
+            raise wrong(
+                cable, name, "is empty; choose a terminal. One that is Free lets the end hang."
+            )
+        if proxy_of(terminal, Terminal) is None:
+            raise wrong(
+                cable, name, f"is {terminal.Label}, which is no cable terminal; choose a terminal."
+            )
+        if terminal.Status:
+            raise DocumentError(terminal.Status)
+        if container(terminal) is not container(cable):
+            raise wrong(
+                cable,
+                name,
+                f"is {terminal.Label}, which is in another part or assembly than the cable; put both into the same.",
+            )
+        found.append(terminal)
+    if found[0] is found[1]:
+        raise wrong(
+            cable, "End", f"is {found[0].Label} and so is Start; choose two different terminals."
+        )
+    return found
+
+
+def _end(place, terminal):
+    """The end condition, with d3 from start to end."""
+    if terminal.Condition == "Free":
+        return Free(place=place)
+    position, quaternion = placement_to_si(terminal.Frame)
+    if place == "end":
+        quaternion = rotation.multiply(quaternion, HALF_TURN)
+    if terminal.Condition == "Pinned":
+        return Pinned(position, place=place)
+    if terminal.Condition == "Swivel":
+        return Swivel(position, rotation.tangent(quaternion), place=place)
+    return Clamped(position, quaternion, place=place)
+
+
+def _rod(cable, checked, start, supports, end):
+    kind = cable.CableType
+    proxy = proxy_of(kind, CableType)
+    if proxy is None:
+        said = "is empty" if kind is None else f"is {kind.Label}, which is no cable type"
+        raise wrong(cable, "CableType", f"{said}; choose a cable type.")
+    straight = None
+    if isinstance(start, Pinned) and isinstance(end, Pinned):
+        straight = straight_length(start, supports, end)
+    rod = proxy.rod(kind, _length(cable, checked, straight))
+    if straight is not None and not supports and not rod.axial_stiffness and rod.length < straight:
+        raise wrong(
+            cable,
+            "Length",
+            f"is {_mm(rod.length)}, but the terminals are {_mm(straight)} apart; the shortest possible length is "
+            f"{_mm(straight)}. Make the cable longer or bring the terminals closer.",
+        )
+    return rod
+
+
+def _length(cable, checked, straight):
+    """[m]"""
+    if cable.LengthMode == "Fixed":
+        return to_si("length", checked.number("Length", above=0))
+    slack = checked.number("Slack", at_least=0)
+    if not straight:
+        reason = "the terminals are at the same point" if straight == 0 else "an end is free"
+        raise wrong(
+            cable,
+            "LengthMode",
+            f"is Slack, but {reason}, so there is no straight distance; use Fixed.",
+        )
+    return straight * (1 + slack)
+
+
+def _mm(length):
+    return f"{from_si('length', length):.6g} mm"

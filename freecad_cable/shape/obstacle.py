@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids as obstacles: boxes around them and triangles on them, kept for as long as they do not change.
+
+``MeshPart`` and not ``Shape.tessellate``: that cannot be told the angle between triangles and takes one so small
+that it makes ten times as many in ten times as long.
+"""
+
+import math
+from collections import OrderedDict
+from dataclasses import dataclass
+from functools import lru_cache
+
+import MeshPart
+import numpy as np
+from FreeCAD import Placement
+
+from ..problem import Mesh
+from .units import to_si
+
+ANGLE = 0.5
+"""[rad] Largest angle between neighbouring triangles of a round face."""
+
+COARSEST = 1 / 20
+"""Largest distance of the triangles from the surface, as a share of the radius of the cable …"""
+
+FINEST = 1 / 2000
+"""… and the least, as a share of the size of the solid: a sphere has ten thousand triangles then."""
+
+MOST = 2000
+"""Solids that are kept; the one that was not asked for longest goes."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Solid:
+    """A solid in its own coordinates [mm], without its placement."""
+
+    shape: object
+    corners: np.ndarray
+    """(8, 3) of the box around it"""
+
+
+_kept: OrderedDict[str, _Solid] = OrderedDict()
+
+
+def bounds(name, shape) -> np.ndarray:
+    """Corners (2, 3) [m] of a box around the solid ``shape``, along the axes. ``name`` is always the same for the same
+    object, wherever it stands."""
+    corners = _placed(_solid(name, shape).corners, shape.Placement)
+    return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+
+def mesh(name, shape, radius, place) -> Mesh:
+    """The solid ``shape`` as an obstacle called ``place``, fine enough for a cable of ``radius`` [m]. ``name`` as of
+    ``bounds``. Errors: ``ProblemError`` if its surface does not close."""
+    solid = _solid(name, shape)
+    return _mesh(solid, _deflection(solid, radius), tuple(shape.Placement.toMatrix().A), place)
+
+
+def _solid(name, shape) -> _Solid:
+    known = _kept.get(name)
+    # Partners share their geometry and may stand at different places.
+    if known is None or not known.shape.isPartner(shape):
+        own = shape.copy(False)
+        own.Placement = Placement()
+        box = own.BoundBox
+        corners = np.array([tuple(box.getPoint(i)) for i in range(8)])
+        _kept[name] = known = _Solid(own, corners)
+        if len(_kept) > MOST:
+            _kept.popitem(last=False)
+    _kept.move_to_end(name)
+    return known
+
+
+def _deflection(solid, radius):
+    """A power of two [mm], so that cables of about the same radius share the triangles."""
+    size = float(np.linalg.norm(np.ptp(solid.corners, axis=0)))
+    wanted = max(COARSEST * 1e3 * radius, FINEST * size)
+    return 2.0 ** math.floor(math.log2(wanted))
+
+
+@lru_cache(MOST)
+def _mesh(solid, deflection, matrix, place) -> Mesh:
+    points, triangles = _triangles(solid, deflection)
+    return Mesh(_moved(points, matrix), triangles, place=place)
+
+
+@lru_cache(MOST)
+def _triangles(solid, deflection):
+    """Points (n, 3) [mm] and triangles (m, 3)."""
+    # A copy without the triangles of the window: they would be used if they are finer, or be thrown away.
+    shape = solid.shape.copy(True, False)
+    found = MeshPart.meshFromShape(
+        Shape=shape, LinearDeflection=deflection, AngularDeflection=ANGLE
+    )
+    points, triangles = found.Topology
+    return np.array([tuple(point) for point in points]), np.array(triangles, int)
+
+
+def _placed(points, placement):
+    return _moved(points, placement.toMatrix().A)
+
+
+def _moved(points, matrix):
+    """Points (n, 3) [mm] in metres after the motion ``matrix`` (16 numbers, row by row) [mm]."""
+    matrix = np.reshape(matrix, (4, 4))
+    return to_si("length", points @ matrix[:3, :3].T + matrix[:3, 3])
