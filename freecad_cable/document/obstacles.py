@@ -2,6 +2,7 @@
 """From what a cable links to as obstacles to those of its scene: solids, wherever parts, assemblies and links put
 them, and other cables. Of a part or an assembly what is visible counts."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -96,9 +97,11 @@ def _tube(cable, placement) -> Tube:
             cable.Status or f"has {cable.Label}, which is not solved; recompute it."
         )
     radius = read_held(cable).rod.radius
-    curve = centreline(nodes(cable)).toShape()
-    deflection = SAGITTA * from_si("length", radius)
-    points = [placement.multVec(point) for point in curve.discretize(Deflection=deflection)]
+    curve = centreline(nodes(cable))
+    # A chord of length h is h²/8R off an arc of radius R.
+    chord = math.sqrt(8 * SAGITTA * from_si("length", radius) * cable.SmallestBendRadius.Value)
+    count = 2 + int(curve.length() / chord)
+    points = [placement.multVec(point) for point in curve.discretize(Number=count)]
     return Tube(vectors_to_si(points), radius, place=f"obstacle {cable.Label}")
 
 

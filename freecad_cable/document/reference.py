@@ -44,7 +44,7 @@ def pairs(reference):
         if _is_object(reference):
             return [(reference, "")]
         reference = list(reference)
-        if len(reference) == 2 and _is_object(reference[0]) and not _is_object(reference[1]):
+        if len(reference) == 2 and _is_object(reference[0]) and _is_path(reference[1]):
             reference = [tuple(reference)]
         return [pair for item in reference for pair in _pairs(item)]
     except (TypeError, ValueError):
@@ -60,6 +60,12 @@ def _pairs(item):
     if not _is_object(obj) or not all(isinstance(path, str) for path in paths):
         raise TypeError
     return [(obj, path) for path in paths]
+
+
+def _is_path(value):
+    """Whether ``value`` is a path, or a list of them as the selection gives it."""
+    some = [value] if isinstance(value, str) else value
+    return isinstance(some, (list, tuple)) and all(isinstance(path, str) for path in some)
 
 
 def _is_object(value):

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Solids as obstacles: closed, near enough to the surface, and made once."""
+
+import unittest
+from unittest import mock
+
+import FreeCAD
+import numpy as np
+import Part
+from FreeCAD import Placement, Rotation, Vector
+
+from freecad_cable.errors import ProblemError
+from freecad_cable.shape import obstacle
+
+MOVE = Placement(Vector(30, -20, 50), Rotation(Vector(1, 2, -3), 77))
+RADIUS = 0.0035
+
+
+def distances(shape, radius=RADIUS):
+    """Of points on the surface of a shape: how far the obstacle says they are from it [mm]."""
+    made = obstacle.mesh("distances", shape, radius, "obstacle")
+    mesh = shape.copy().tessellate(1)[0]
+    points = np.array([tuple(point) for point in mesh])
+    return 1e3 * made.nearest(1e-3 * points).distance
+
+
+class ObstacleTest(unittest.TestCase):
+    def setUp(self):
+        obstacle._kept.clear()
+
+    def test_triangles_are_near_the_surface(self):
+        """Of flat faces exactly; of round ones within a share of the radius of the cable. The mesher keeps its
+        deflection but for a factor below 2."""
+        self.assertLess(abs(distances(Part.makeBox(30, 20, 10))).max(), 1e-9)
+        for shape in (
+            Part.makeSphere(20),
+            Part.makeCylinder(10, 50),
+            Part.makeTorus(30, 5),
+            Part.makeBox(40, 30, 20).cut(Part.makeCylinder(8, 50, Vector(20, 15, -5))),
+        ):
+            off = abs(distances(shape)).max()
+            self.assertLess(off, 2 * obstacle.COARSEST * 1e3 * RADIUS)
+            self.assertGreater(off, 0)
+
+    def test_inside_is_negative(self):
+        ball = obstacle.mesh("Ball", Part.makeSphere(20), RADIUS, "obstacle")
+        inside, outside = ball.nearest(np.array([[0.001, 0.002, 0.018], [0, 0, 0.03]])).distance
+        self.assertLess(inside, 0)
+        self.assertAlmostEqual(outside, 0.01, delta=1e-3 * obstacle.COARSEST * 3.5)
+
+    def test_it_stands_where_the_shape_does(self):
+        shape = Part.makeBox(30, 20, 10)
+        here = obstacle.mesh("Box", shape, RADIUS, "obstacle")
+        shape.Placement = MOVE
+        there = obstacle.mesh("Box", shape, RADIUS, "obstacle")
+        expected = [tuple(MOVE.multVec(Vector(*(1e3 * v)))) for v in here.vertices]
+        self.assertLess(np.abs(1e3 * there.vertices - expected).max(), 1e-9)
+        low, high = obstacle.bounds("Box", shape)
+        self.assertTrue((low <= there.vertices.min(axis=0) + 1e-12).all())
+        self.assertTrue((high >= there.vertices.max(axis=0) - 1e-12).all())
+
+    def test_it_is_made_once_for_the_same_shape(self):
+        box = Part.makeBox(30, 20, 10)
+        real = obstacle.MeshPart.meshFromShape
+        with mock.patch.object(obstacle.MeshPart, "meshFromShape", side_effect=real) as mesher:
+            first = obstacle.mesh("Once", box, RADIUS, "obstacle")
+            self.assertIs(obstacle.mesh("Once", Part.Shape(box), RADIUS, "obstacle"), first)
+            self.assertEqual(mesher.call_count, 1)
+            moved = Part.Shape(box)
+            moved.Placement = MOVE
+            obstacle.mesh("Once", moved, 1.01 * RADIUS, "obstacle")
+            self.assertEqual(mesher.call_count, 1)
+            obstacle.mesh("Once", Part.makeBox(30, 20, 11), RADIUS, "obstacle")
+            self.assertEqual(mesher.call_count, 2)
+            obstacle.mesh("Once", Part.makeBox(30, 20, 11), RADIUS / 4, "obstacle")
+            self.assertEqual(mesher.call_count, 3)
+
+    def test_the_triangles_of_the_window_are_neither_used_nor_lost(self):
+        ball = Part.makeSphere(20)
+        plain = obstacle.mesh("Plain", Part.makeSphere(20), RADIUS, "obstacle")
+        ball.tessellate(0.05)
+        shown = ball.countElement("Face"), len(ball.Faces[0].tessellate(10)[0])
+        made = obstacle.mesh("Shown", ball, RADIUS, "obstacle")
+        self.assertEqual(len(made.triangles), len(plain.triangles))
+        self.assertEqual((ball.countElement("Face"), len(ball.Faces[0].tessellate(10)[0])), shown)
+
+    def test_a_shape_turned_inside_out(self):
+        box = Part.makeBox(30, 20, 10)
+        box.reverse()
+        with self.assertRaises(ProblemError):
+            obstacle.mesh("Reversed", box, RADIUS, "obstacle")
+
+
+assert FreeCAD  # loaded before Part
