@@ -12,6 +12,7 @@ from functools import lru_cache
 
 import MeshPart
 import numpy as np
+import Part
 from FreeCAD import Placement
 
 from ..problem import Mesh
@@ -45,8 +46,7 @@ _kept: OrderedDict[str, _Solid] = OrderedDict()
 def bounds(name, shape) -> np.ndarray:
     """Corners (2, 3) [m] of a box around the solid ``shape``, along the axes. ``name`` is always the same for the same
     object, wherever it stands."""
-    corners = _placed(_solid(name, shape).corners, shape.Placement)
-    return np.array([corners.min(axis=0), corners.max(axis=0)])
+    return _bounds(_solid(name, shape), tuple(shape.Placement.toMatrix().A))
 
 
 def mesh(name, shape, radius, place) -> Mesh:
@@ -60,7 +60,7 @@ def _solid(name, shape) -> _Solid:
     known = _kept.get(name)
     # Partners share their geometry and may stand at different places.
     if known is None or not known.shape.isPartner(shape):
-        own = shape.copy(False)
+        own = Part.Shape(shape)
         own.Placement = Placement()
         box = own.BoundBox
         corners = np.array([tuple(box.getPoint(i)) for i in range(8)])
@@ -79,6 +79,12 @@ def _deflection(solid, radius):
 
 
 @lru_cache(MOST)
+def _bounds(solid, matrix):
+    corners = _moved(solid.corners, matrix)
+    return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+
+@lru_cache(MOST)
 def _mesh(solid, deflection, matrix, place) -> Mesh:
     points, triangles = _triangles(solid, deflection)
     return Mesh(_moved(points, matrix), triangles, place=place)
@@ -94,10 +100,6 @@ def _triangles(solid, deflection):
     )
     points, triangles = found.Topology
     return np.array([tuple(point) for point in points]), np.array(triangles, int)
-
-
-def _placed(points, placement):
-    return _moved(points, placement.toMatrix().A)
 
 
 def _moved(points, matrix):

@@ -16,12 +16,17 @@ MOVE = Placement(Vector(30, -20, 50), Rotation(Vector(1, 2, -3), 77))
 RADIUS = 0.0035
 
 
-def distances(shape, radius=RADIUS):
-    """Of points on the surface of a shape: how far the obstacle says they are from it [mm]."""
-    made = obstacle.mesh("distances", shape, radius, "obstacle")
-    mesh = shape.copy().tessellate(1)[0]
-    points = np.array([tuple(point) for point in mesh])
-    return 1e3 * made.nearest(1e-3 * points).distance
+def distances(shape):
+    """Of points all over the faces of a shape: how far the obstacle says they are from it [mm]."""
+    made = obstacle.mesh("distances", shape, RADIUS, "obstacle")
+    points = []
+    for face in shape.Faces:
+        low_u, high_u, low_v, high_v = face.ParameterRange
+        for u in np.linspace(low_u, high_u, 53):
+            for v in np.linspace(low_v, high_v, 53):
+                if face.isPartOfDomain(u, v):
+                    points.append(tuple(face.valueAt(u, v)))
+    return 1e3 * made.nearest(1e-3 * np.array(points)).distance
 
 
 class ObstacleTest(unittest.TestCase):
