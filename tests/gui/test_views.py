@@ -22,6 +22,13 @@ class ViewsTest(unittest.TestCase):
         end = make.terminal(self.document, (right, "Face6"))
         self.cable = make.cable(self.document, start=start, end=end)
         self.route = make.route(self.document, self.cable)
+        for number, kind in enumerate((make.clamp, make.clip, make.ring, make.sleeve), 1):
+            kind(
+                self.document,
+                (left, f"Vertex{number}"),
+                position="60 mm",
+                **({"radius": "9 mm"} if kind is make.ring else {}),
+            )
         self.document.recompute()
 
     def tearDown(self):
@@ -49,7 +56,7 @@ class ViewsTest(unittest.TestCase):
         return {o.Name: type(o.ViewObject.Proxy).__name__ for o in self.ours()}
 
     def test_every_object_has_its_view_and_icon(self):
-        self.assertEqual(len(self.ours()), 6)
+        self.assertEqual(len(self.ours()), 10)
         for obj in self.ours():
             view = obj.ViewObject.Proxy
             self.assertEqual(type(view).__name__, type(obj.Proxy).__name__ + "View")
@@ -60,6 +67,9 @@ class ViewsTest(unittest.TestCase):
         children = self.cable.ViewObject.Proxy.claimChildren()
         expected = [self.cable.Start, self.cable.End, self.cable.Centreline, self.route]
         self.assertCountEqual(children, expected)
+        self.cable.Supports = [self.document.Ring, self.document.Clamp]
+        children = self.cable.ViewObject.Proxy.claimChildren()
+        self.assertCountEqual(children, [*expected, *self.cable.Supports])
 
     def test_a_file_keeps_what_is_hidden(self):
         self.route.ViewObject.Visibility = False
