@@ -154,6 +154,7 @@ class AnswerTest(SupportedTest):
             self.compute()
             self.assertEqual(self.cable.SolvedInputs, before, name)
         clamp.Label = "Another name"
+        self.cable.touch()
         self.compute()
         self.assertEqual(self.cable.SolvedInputs, before)
 
