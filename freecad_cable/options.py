@@ -7,6 +7,8 @@ from .errors import ProblemError
 
 SOLVERS = ("auto", "fatrop", "ipopt")
 SCHEMES = ("auto", "helix", "magnus")
+EFFECTS = ("torsion", "shear", "stretch")
+"""What the model of a rod may leave out."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,6 +23,8 @@ class SolveOptions:
     """``helix`` (order 2), ``magnus`` (order 4), or ``auto``."""
     elements: int | None = None
     """Number of elements; None lets the error estimate decide."""
+    keep: tuple[str, ...] = ()
+    """Which of ``EFFECTS`` to keep in the model although the scene does not seem to need them."""
     time_limit: float = 60.0
     """Seconds of wall-clock time after which the solve gives up."""
 
@@ -40,6 +44,11 @@ class SolveOptions:
         if self.elements is not None and not 2 <= self.elements <= 10000:
             raise ProblemError(
                 "options.elements", f"is {self.elements!r}; it must be between 2 and 10000"
+            )
+        unknown = [name for name in self.keep if name not in EFFECTS]
+        if unknown:
+            raise ProblemError(
+                "options.keep", f"has {unknown[0]!r}; it may have {', '.join(EFFECTS)}"
             )
         if not self.time_limit > 0:
             raise ProblemError(

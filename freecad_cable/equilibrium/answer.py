@@ -3,7 +3,6 @@
 
 import numpy as np
 
-from ..problem.reduce import Model
 from ..result import (
     Balance,
     Contact,
@@ -24,9 +23,10 @@ UNBALANCED = 0.2
 good answers stay below 0.1, those of wrong ones reach 1."""
 
 
-def solution(problem, trial, model: Model) -> Solution:
+def solution(problem, trial) -> Solution:
     """The solution of a ``Problem`` from its ``Trial``."""
     scene, scaling, shape = problem.scene, problem.scaling, trial.shape
+    model = problem.model
     rod, length = scene.rod, scaling.length
     arc_length = shape.arc_length * length
     position = scaling.origin + shape.position * length
@@ -68,7 +68,11 @@ def solution(problem, trial, model: Model) -> Solution:
         stable=trial.stable,
         position_error=trial.error * length,
         balance=check,
-        left_out=(*model.left_out, *_obstacles_left_out(problem, trial)),
+        left_out=(
+            *model.left_out,
+            *_obstacles_left_out(problem, trial),
+            *_idle_supports(scene, shape),
+        ),
         kept=(*model.kept, *(["obstacles"] if trial.touches else [])),
         solver=effort(problem, trial),
     )
@@ -121,6 +125,16 @@ def _obstacles_left_out(problem, trial):
         )
     if near and not trial.touches:
         yield "obstacles in reach: the cable keeps clear of them by itself (exact)"
+
+
+IDLE = 1e-6
+"""Load of a support, in the program's units, below which it does nothing: the solvers leave 1e-9."""
+
+
+def _idle_supports(scene, shape):
+    for support, joint in zip(scene.supports, shape.joints, strict=True):
+        if max(np.abs(joint.force).max(), np.abs(joint.moment).max()) < IDLE:
+            yield f"{support.place}: it does not act, the cable would be the same without it (exact)"
 
 
 def _energy(problem, trial):

@@ -36,7 +36,7 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
     if (sentence := _without_slack(scene)) is not None:
         return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)
     try:
-        from ..solve.search import find
+        from ..solve.effects import find
         from ..solve.trial import Problem, TimeUpError
     except ImportError as error:
         if error.name and error.name.split(".")[0] != "casadi":
@@ -65,7 +65,7 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
             message=f"{Status.NOT_CONVERGED.value} {_advice(scene)}",
             solver=effort(problem, None),
         )
-    return solution(problem, trial, model)
+    return solution(problem, trial)
 
 
 def _without_slack(scene):

@@ -7,10 +7,16 @@ import numpy as np
 
 from ..geometry import rotation
 from .ends import Clamped, Swivel
+from .reach import shortest_way, stations
 from .scene import Scene
 from .supports import Clamp, Sleeve
 
 SHEAR, STRETCH = (3, 4), (5,)
+
+
+SLACK = 0.01
+"""Slack, relative to the length, from which a cable may be taken as inextensible to begin with: a tauter one may need
+its stretch to reach at all."""
 
 
 @dataclass(frozen=True)
@@ -20,19 +26,23 @@ class Model:
     strains: tuple[int, ...]
     left_out: tuple[str, ...]
     kept: tuple[str, ...]
+    tried: tuple[str, ...] = ()
+    """effects with a given stiffness that are left out to begin with: whether they matter is seen from the loads"""
 
     @property
     def twist(self) -> bool:
         return 2 in self.strains
 
 
-def reduce(scene: Scene) -> Model:
-    """Decide what the model keeps. Each sentence says what was left out and why that is exact."""
-    rod = scene.rod
-    strains, left_out, kept = [0, 1], [], ["bending in two directions"]
+def reduce(scene: Scene, *, rigid: bool = True) -> Model:
+    """Decide what the model keeps. Each sentence says what was left out and why that is exact.
+
+    With ``rigid`` shear and stretch are left out of slack cables to begin with."""
+    rod, keep = scene.rod, scene.options.keep
+    strains, left_out, kept, tried = [0, 1], [], ["bending in two directions"], []
 
     holders = [h for h in (scene.start, *scene.supports, scene.end) if _holds_twist(h)]
-    if len(holders) > 1 or not rod.isotropic:
+    if len(holders) > 1 or not rod.isotropic or "torsion" in keep:
         strains.append(2)
         kept.append("torsion")
     else:
@@ -41,6 +51,7 @@ def reduce(scene: Scene) -> Model:
         kept.append("gravity")
     else:
         left_out.append("gravity: there is none, or the cable has no mass (exact)")
+    slack = rigid and tautness(scene) < 1 - SLACK
     for stiffness, indices, name in (
         (rod.shear_stiffness, SHEAR, "shear"),
         (rod.axial_stiffness, STRETCH, "stretch"),
@@ -49,10 +60,23 @@ def reduce(scene: Scene) -> Model:
             left_out.append(
                 f"{name}: no stiffness is given, so the cable is taken as rigid in {name}"
             )
+        elif slack and name not in keep:
+            tried.append(name)
         else:
             strains.extend(indices)
             kept.append(name)
-    return Model(tuple(strains), tuple(left_out), tuple(kept))
+    return Model(tuple(strains), tuple(left_out), tuple(kept), tuple(tried))
+
+
+def tautness(scene: Scene) -> float:
+    """Distance over length of the held places between which the cable is most taut; 0 if there are not two."""
+    held = stations(scene)
+    fixed = [i for i, station in enumerate(held) if station.arc_length is not None]
+    ratios = [
+        shortest_way(held[a : b + 1]) / (held[b].arc_length - held[a].arc_length)
+        for a, b in zip(fixed, fixed[1:], strict=False)
+    ]
+    return max(ratios, default=0.0)
 
 
 def _holds_twist(holder) -> bool:

@@ -149,12 +149,15 @@ def _obstacles(data) -> tuple:
 
 def _options(data) -> SolveOptions:
     fields = _fields(
-        "options", data, (), ("tolerance", "solver", "scheme", "elements", "time_limit")
+        "options", data, (), ("tolerance", "solver", "scheme", "elements", "keep", "time_limit")
     )
     given = {name: value for name, value in fields.items() if value is not None}
     for name in ("tolerance", "time_limit"):
         if name in given:
             given[name] = number(f"options.{name}", given[name], above=0)
+    if not isinstance(keep := given.get("keep", []), list):
+        raise ProblemError("options.keep", f"is {shown(keep)}; it must be a list")
+    given["keep"] = tuple(keep)
     elements = given.get("elements")
     if elements is not None and (isinstance(elements, bool) or not isinstance(elements, int)):
         raise ProblemError(

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..problem.reach import shortest_way, stations
+from ..problem.reduce import tautness
 from ..transcription.guess import guess
 from ..transcription.waypoints import breaks
 from . import mesh
@@ -31,13 +31,7 @@ def taut_chord(scene) -> float:
     """Of the held places that an inextensible cable is most taut between: distance over length; else 0."""
     if scene.rod.axial_stiffness is not None:
         return 0.0
-    held = stations(scene)
-    fixed = [i for i, station in enumerate(held) if station.arc_length is not None]
-    ratios = [
-        shortest_way(held[a : b + 1]) / (held[b].arc_length - held[a].arc_length)
-        for a, b in zip(fixed, fixed[1:], strict=False)
-    ]
-    return max(ratios, default=0.0)
+    return tautness(scene)
 
 
 def continued(problem: Problem, elements: int) -> Iterator[Trial]:

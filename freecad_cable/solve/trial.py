@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from ..errors import SolverMissingError
+from ..geometry import rotation
 from ..problem import Clamp, Ring, Scene
 from ..problem.reduce import Model
 from ..transcription import contact, layout
@@ -76,6 +77,11 @@ class Trial:
         left = self.nlp.rows_function(self.raw.x, self.parameters).full().ravel()
         push = -self.raw.multipliers
         return np.array(self.nlp.equality) | ((push > ACTING) & (push > left))
+
+    @property
+    def frames(self) -> np.ndarray:
+        """(n+1, 3, 3) material frames, d1 d2 d3 as columns"""
+        return rotation.matrix(self.shape.quaternion)
 
     @property
     def touches(self) -> bool:
