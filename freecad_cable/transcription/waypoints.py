@@ -13,6 +13,10 @@ BEYOND = 1.05
 """Length to chord of a first guess where a free end leaves it open."""
 
 
+CLOSEST = 2e-3
+"""Share of the way that a first guess leaves at least between neighbours: from one without length none starts."""
+
+
 @dataclass(frozen=True)
 class Waypoint:
     """A held place without units; ``tangent`` (3,) None where the scene gives none."""
@@ -54,11 +58,18 @@ def breaks(scene: Scene, scaling: Scaling) -> tuple[float, ...]:
 
 def _spread(places, positions):
     """Arc lengths for those that slide (NaN), in proportion to the distances between them."""
-    chords = np.linalg.norm(np.diff(positions, axis=0), axis=1) + 1e-9
+    chords = np.linalg.norm(np.diff(positions, axis=0), axis=1)
+    chords = np.maximum(chords, CLOSEST * chords.sum() + 1e-9)
     way = np.concatenate([[0.0], np.cumsum(chords)])
     known = np.flatnonzero(np.isfinite(places))
     first, last = known[0], known[-1]
-    spread = np.interp(way, way[known], places[known])
+    spread = places.copy()
+    for a, b in zip(known, known[1:], strict=False):
+        # A long stretch takes slack at less force than a short one.
+        there, own = places[b] - places[a], chords[a:b]
+        slack = max(there - own.sum(), 0.0)
+        own = own * (there - slack) / own.sum() + slack * own**2 / (own**2).sum()
+        spread[a:b] = places[a] + np.concatenate([[0.0], np.cumsum(own)[:-1]])
     before, after = slice(0, first), slice(last + 1, None)
     for beyond, origin, there, sign in (
         (before, first, places[first], -1),
