@@ -61,7 +61,13 @@ def built(structure: Structure, name: str):
             "nu": nu,
             "ng": ng,
             "equality": nlp.equality.tolist(),
-            "fatrop": {"print_level": 0, "tol": TOLERANCE, "max_iter": ITERATIONS},
+            "fatrop": {
+                "print_level": 0,
+                "tol": TOLERANCE,
+                "max_iter": ITERATIONS,
+                # With it fatrop was seen to correct its matrix without end at supports that slide.
+                "linsol_increased_accuracy": False,
+            },
         }
     else:
         options["ipopt"] = {
