@@ -8,6 +8,7 @@ import numpy as np
 
 from benchmarks import plot, stored
 from benchmarks.cases import CASES, DRAG, TABLE_1
+from benchmarks.left_out import LeftOut
 from benchmarks.measure import Cell, Mesh, Race, Work
 
 SHORT = (1e-4, 1e-6)
@@ -27,13 +28,15 @@ def write(facts: dict[str, str], uncertainty: float, seconds: float):
         f"*warm* the same after a drag step of {DRAG:.1%} of the length, from the solution before it. Errors are "
         "the largest distance of a node from its exact place, relative to the length of the cable; the exact "
         f"shapes, from an independent solver of the strong form, are known to {uncertainty:.0e}.",
-        "Rows: [work.csv](work.csv), [race.csv](race.csv), [mesh.csv](mesh.csv), [grid.csv](grid.csv); "
+        "Rows: [work.csv](work.csv), [race.csv](race.csv), [mesh.csv](mesh.csv), "
+        "[left-out.csv](left-out.csv), [grid.csv](grid.csv); "
         "`benchmarks/measure.py` says what their columns mean.",
         "## Cases\n\n" + _table(("case", "what"), [(case.name, case.about) for case in CASES]),
         *_races(stored.read(Race)),
         *_times(rows),
         *_honesty(rows),
         *_orders(meshes),
+        *_left_out(stored.read(LeftOut)),
         *_grid(stored.read(Cell)),
     ]
     text = "\n\n".join(sections) + "\n"
@@ -62,6 +65,31 @@ def _races(rows):
     yield (
         f"On {rows[0].elements} elements, cold, fatrop needs {ratios} of the time of ipopt, summed over the "
         f"{len(TABLE_1)} lengths of Table 1 ({_ends(rows)})."
+    )
+
+
+def _left_out(rows):
+    yield "## What is left out"
+    yield (
+        "Times of a solve with and without a part of the model, and the distance between the two shapes: where the "
+        "scene does not need the part, what the core saves by leaving it out; where it does, the error that would "
+        "cost, which is why it stays in."
+    )
+    heads = ("part", "scene", "needed", "with [ms]", "without [ms]", "ratio", "error")
+    yield _table(
+        heads,
+        [
+            (
+                row.part,
+                row.scene,
+                row.needed,
+                f"{1e3 * row.with_it:.1f}",
+                f"{1e3 * row.without:.1f}",
+                f"{row.with_it / row.without:.2f}",
+                f"{row.error:.1e}",
+            )
+            for row in rows
+        ],
     )
 
 

@@ -7,6 +7,7 @@ from ..result import (
     Balance,
     Contact,
     Energy,
+    Formed,
     Load,
     Solution,
     balance,
@@ -63,6 +64,7 @@ def solution(problem, trial) -> Solution:
             smallest_bend_radius(part.arc_length * length, part.strain[:, :3] / length)
             for part in shape.parts()
         ),
+        formed=_formed(problem, trial) if trial.nlp.structure.bend_limit else (),
         contacts=() if pushes is None else _contacts(trial.owners, pushes, arc_length),
         min_clearance=_clearance(problem, shape),
         stable=trial.stable,
@@ -96,14 +98,37 @@ def _balance(rod, weight, scaling, shape, pushes):
     return Balance(max(b.moment for b in found), max(b.force for b in found))
 
 
+AT_LIMIT = 1e-4
+"""How near to the largest curvature, relative to it, a node is taken to be held there: the solvers stop so near."""
+
+
+def _formed(problem, trial):
+    """Runs of nodes whose curvature is held at the limit."""
+    shape, scaling, rod = trial.shape, problem.scaling, problem.scene.rod
+    moment = np.einsum("kij,ki->kj", trial.frames, shape.moment) * scaling.energy
+    strain = shape.strain[:, :2] / scaling.length - rod.natural_curvature[:2]
+    missing = np.linalg.norm(moment[:, :2] - rod.bending_stiffness * strain, axis=1)
+    bend = np.linalg.norm(shape.strain[:, :2], axis=1) / scaling.length
+    there = bend * rod.min_bend_radius > 1 - AT_LIMIT
+    s = shape.arc_length * scaling.length
+    return tuple(
+        Formed(float(s[a]), float(s[b - 1]), float(missing[a:b].max())) for a, b in _runs(there)
+    )
+
+
+def _runs(there):
+    """(first, one beyond the last) of each run of true values (n,)."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], there.astype(int), [0]])))
+    return zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
+
+
 def _contacts(owners, pushes, arc_length):
     """One contact for each run of nodes that an obstacle pushes: pushes (n+1, contacts, 3) [N]."""
     found = []
     for obstacle in np.unique(owners[owners >= 0]):
         force = (pushes * (owners == obstacle)[..., None]).sum(axis=1)
         size = np.linalg.norm(force, axis=1)
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], (size > 0).astype(int), [0]])))
-        for a, b in zip(edges[::2], edges[1::2], strict=True):
+        for a, b in _runs(size > 0):
             middle = np.average(arc_length[a:b], weights=size[a:b])
             found.append(Contact(float(middle), int(obstacle), force[a:b].sum(axis=0)))
     return tuple(sorted(found, key=lambda contact: contact.arc_length))

@@ -124,6 +124,11 @@ def _joined(scene, parts, kept) -> Solution:
         support_reactions=tuple(reactions),
         support_nodes=tuple(places),
         min_bend_radius=min(bends),
+        formed=tuple(
+            replace(piece, start=piece.start + a, end=piece.end + a)
+            for part, a in zip(parts, offsets, strict=True)
+            for piece in part.formed
+        ),
         contacts=tuple(
             replace(contact, arc_length=contact.arc_length + a)
             for part, a in zip(parts, offsets, strict=True)

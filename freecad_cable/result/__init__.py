@@ -5,12 +5,13 @@ from .balance import Balance, balance
 from .bend import smallest_bend_radius
 from .ends import end_violation, support_violation
 from .near import is_near
-from .solution import Contact, Energy, LengthBound, Load, Solution
+from .solution import Contact, Energy, Formed, LengthBound, Load, Solution
 
 __all__ = [
     "Balance",
     "Contact",
     "Energy",
+    "Formed",
     "LengthBound",
     "Load",
     "Solution",

@@ -32,6 +32,19 @@ class Contact:
 
 
 @dataclass(frozen=True)
+class Formed:
+    """A piece of the cable that keeps its bend radius only because it is formed: its elastic moment is less than the
+    moment that it must carry there, by this much."""
+
+    start: float
+    """[m] arc length"""
+    end: float
+    """[m] arc length"""
+    moment: float
+    """[N m] largest in the piece"""
+
+
+@dataclass(frozen=True)
 class Energy:
     """[J]; gravity is measured along −gravity from the start point."""
 
@@ -92,6 +105,8 @@ class Solution:
     """node of each support; force, moment and curvature there are those just before it"""
     min_bend_radius: tuple[float, float] | None = None
     """smallest bend radius of the centreline [m] and the arc length where it is [m]"""
+    formed: tuple[Formed, ...] = ()
+    """where the cable must be formed, if its bend radius is enforced"""
     contacts: tuple[Contact, ...] = ()
     min_clearance: float | None = None
     """smallest distance between the surfaces of the cable and of the obstacles in its reach [m]; None without any"""

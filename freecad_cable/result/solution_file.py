@@ -24,6 +24,7 @@ def solution_data(solution: Solution) -> dict:
         "end_reaction": _load(solution.end_reaction),
         "support_reactions": [_load(load) for load in solution.support_reactions],
         "min_bend_radius": radius and {"value": _plain(radius[0]), "arc_length": radius[1]},
+        "formed": [asdict(piece) for piece in solution.formed],
         "contacts": [
             {"arc_length": c.arc_length, "obstacle": c.obstacle, "force": _plain(c.force)}
             for c in solution.contacts
