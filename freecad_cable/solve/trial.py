@@ -201,17 +201,24 @@ class Problem:
         values["features"] = features
         parameters = pack(nlp.structure, values, start.steps)
         x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start)
-        for name in self.solvers if fallback else self.solvers[:1]:
+        for name, near in self._attempts(nlp, start, fallback):
             if time.perf_counter() > self.deadline:
                 raise TimeUpError
-            self.build_time += backend.first_use(nlp.structure, name)
-            raw = backend.minimise(nlp, name, x0, parameters, lam0)
+            self.build_time += backend.first_use(nlp.structure, name, near)
+            raw = backend.minimise(nlp, name, near, x0, parameters, lam0)
             self.iterations += raw.iterations
             self.solve_time += raw.time
             if raw.success:
                 shape = layout.shape_of(nlp, values, start.steps, raw.x, raw.multipliers)
                 return Trial(nlp, values, parameters, raw, shape)
         return None
+
+    def _attempts(self, nlp, start, fallback):
+        """(solver, whether it takes the start for nearly the solution), in order."""
+        names = self.solvers if fallback else self.solvers[:1]
+        near = start.force is not None and not nlp.equality.all()
+        first = [("fatrop", True)] if near and names[0] == "fatrop" else []
+        return [*first, *((name, False) for name in names)]
 
     def _built(self, start, contacts):
         begin = time.perf_counter()
