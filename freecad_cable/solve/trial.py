@@ -33,6 +33,11 @@ ACTING = 1e-6
 distance to a bound that does not act."""
 
 
+MARGIN = 1.1
+"""On the error estimate, which else is as often below the true error as above it, by up to a tenth (160 rows of
+`./run bench`)."""
+
+
 class TimeUpError(Exception):
     """The time limit of a solve has passed; internal to this room."""
 
@@ -69,7 +74,7 @@ class Trial:
             return self.measured
         structure = self.nlp.structure
         correction = strong_form.correction(self.shape, self.values, structure)
-        return float(np.linalg.norm(correction[:, :3], axis=1).max())
+        return MARGIN * float(np.linalg.norm(correction[:, :3], axis=1).max())
 
     @cached_property
     def acting(self) -> np.ndarray:

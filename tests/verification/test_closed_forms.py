@@ -48,7 +48,7 @@ def assert_same(solution, exact, tolerance=TOLERANCE):
     length = solution.scene.rod.length
     error = np.linalg.norm(solution.position - exact.position, axis=1).max() / length
     assert error <= tolerance
-    assert error <= 1.2 * solution.position_error / length + 1e-8
+    assert error <= solution.position_error / length + 1e-8
     largest = max(np.linalg.norm(exact.force, axis=1).max(), 1e-12)
     off = np.linalg.norm(solution.force - exact.force, axis=1).max()
     assert off <= FORCE[solution.solver["scheme"]] * largest

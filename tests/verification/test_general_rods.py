@@ -68,7 +68,7 @@ def test_against_the_exact_solver(given):
     exact = equilibrium(solution.scene, solution).at(solution.arc_length)
     error = np.linalg.norm(solution.position - exact.position, axis=1).max()
     assert error <= 1e-4
-    assert error <= 1.1 * solution.position_error + 1e-9
+    assert error <= solution.position_error + 1e-9
     assert solution.energy.total == pytest.approx(exact.energy.total, rel=1e-3, abs=1e-6)
     frames = rotation.matrix(exact.quaternion)
     rod = solution.scene.rod

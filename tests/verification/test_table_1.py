@@ -43,8 +43,8 @@ def test_the_tolerance_asked_for_is_met_and_the_estimate_is_honest(table_1, leng
     error = off(solution, exact)
     estimate = solution.position_error / length
     assert error <= tolerance
-    # One Newton step misses the square of the error, and its defects a part in 4⁴.
-    assert error == pytest.approx(estimate, rel=0.05, abs=1e-9)
+    # One Newton step misses the square of the error, and its defects a part in 4⁴; a tenth is added to it.
+    assert error <= estimate <= 1.16 * error + 1e-9
 
 
 def test_another_energy_minimum_is_not_lower(table_1, length):
