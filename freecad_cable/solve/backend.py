@@ -23,6 +23,9 @@ ITERATIONS = 80
 NEAR = {"mu_init": 1e-7, "bound_push": 1e-8}
 """fatrop's options for a start that is nearly the solution: with its usual ones it first pushes the start away from the
 bounds that act (measured: two sliding supports dragged take 4 iterations instead of 14)."""
+BARRIER = 1e-4
+"""First barrier parameter where obstacles are near. The default of 0.1 pushes a cable away from all of them as hard as
+it resists bending, and loses the start."""
 
 RUNAWAY = 1e6
 """Positions in lengths, or strains per length, that no cable has."""

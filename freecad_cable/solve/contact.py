@@ -13,9 +13,10 @@ import numpy as np
 from ..transcription import contact
 from ..transcription.shape import Shape
 from . import mesh
+from .detours import detours
 from .trial import Problem, TimeUpError, Trial
 
-PASSES = 25
+PASSES = 12
 """Lookups of features after which an attempt ends."""
 SETTLED = 1e-3
 """Change of a gap, in radii of the cable, below which a feature has been looked up often enough."""
@@ -29,14 +30,43 @@ GATHER = 6.0
 def around(problem: Problem, trial: Trial) -> Trial | None:
     """The equilibrium among the scene's obstacles, from one without; None if none is found. If the cable keeps away
     from all of them by itself, the trial is the answer."""
-    around_it = problem.surroundings
+    around_it, fixed = problem.surroundings, problem.scene.options.elements
     if not around_it.deepest(trial.shape):
         return trial
-    if problem.scene.options.elements is not None:
-        return _settled(problem, trial.shape, leaving=True)
-    start = trial.shape.on(mesh.refined(trial.shape, FIRST))
-    found = _settled(problem, start, leaving=True)
-    return None if found is None else _gathered(problem, found)
+    best = None
+    try:
+        for start in detours(problem, trial, fixed or FIRST):
+            found = _settled(problem, start, leaving=True)
+            if found is None:
+                continue
+            found = _off_saddle(problem, found)
+            if fixed is None and around_it.deepest(found.shape) < around_it.radius:
+                found = _gathered(problem, found)
+            if best is None or _rank(found, around_it) < _rank(best, around_it):
+                best = found
+            if best.stable and not around_it.deepest(best.shape):
+                return best
+    except TimeUpError:
+        if best is None:
+            raise
+    return best
+
+
+def _rank(trial, around_it):
+    return around_it.deepest(trial.shape), not trial.stable, trial.energy
+
+
+def _off_saddle(problem, trial):
+    """Down from a saddle, both ways; the trial itself if that leads nowhere."""
+    for _ in range(3):
+        if trial.stable:
+            break
+        found = [_settled(problem, trial.swayed(size), leaving=True) for size in (0.05, -0.05)]
+        below = [each for each in found if each is not None and each.energy < trial.energy]
+        if not below:
+            break
+        trial = min(below, key=lambda each: each.energy)
+    return trial
 
 
 def resumed(problem: Problem, warm: Shape) -> Trial | None:
@@ -58,7 +88,7 @@ def _gathered(problem, found):
             width /= GATHER
             places = _places(found, around_it)
             if not places:
-                return found
+                return replace(found, measured=None)  # touches nothing, so the strong form holds
             start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
             finer = _settled(problem, start)
             if finer is None:
@@ -95,7 +125,7 @@ def _settled(problem, shape, leaving=False):
     for turn in range(PASSES):
         found = around_it.features(shape, leaving=leaving and turn == 0)
         features, owners = (None, None) if found is None else found
-        trial = problem.solve(shape, features=features)
+        trial = problem.solve(shape, features=features, fallback=False)
         if trial is None:
             return None
         trial = replace(trial, owners=owners)

@@ -13,7 +13,6 @@ import numpy as np
 from ..problem import Swivel
 from ..problem.reduce import orientation, reduce
 from ..transcription.guess import guess, hangs, roll_mismatch, rolled
-from ..transcription.layout import places
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import contact, mesh
@@ -45,7 +44,10 @@ def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
         found = _formed(problem, found)
     if found is None or not problem.surroundings.obstacles:
         return found
-    return contact.around(problem, found)
+    found = contact.around(problem, found)
+    if found is None or found.touches or problem.scene.options.elements is not None:
+        return found
+    return _refined(problem, found)
 
 
 def _formed(problem, trial):
@@ -159,27 +161,15 @@ def _off_saddle(problem, trial):
     for _ in range(3):
         if trial.stable or trial.error > GARBAGE:
             return trial
-        _, mode = trial.lowest_mode
-        size = 0.1 / max(np.abs(_positions(trial, mode)).max(), 1e-9)
         below = []
-        for sign in (1, -1):
-            start = _displaced(trial, sign * size * mode)
-            other = problem.solve(start)
+        for size in (0.1, -0.1):
+            other = problem.solve(trial.swayed(size))
             if other is not None and other.energy < trial.energy:
                 below.append(other)
         if not below:
             return trial
         trial = min(below, key=lambda t: t.energy)
     return trial
-
-
-def _positions(trial, x):
-    return x[trial.nlp.states[:, :3]]
-
-
-def _displaced(trial, change):
-    arc_length, position, quaternion = places(trial.nlp, trial.shape.steps, trial.raw.x + change)
-    return Shape.from_frames(arc_length, position, quaternion, trial.nlp.structure.joints)
 
 
 def _refined(problem, trial):

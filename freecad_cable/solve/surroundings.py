@@ -15,7 +15,7 @@ from ..transcription import contact
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
 
-NEAR = 0.1
+NEAR = 0.3
 """Gap, in lengths, up to which a feature is given to a node."""
 MOST = 4
 """Features of a node."""
@@ -94,6 +94,10 @@ class Surroundings:
             return 0.0
         depth = -float(self.between(shape).min())
         return depth if depth > PENETRATION * self.radius else 0.0
+
+    def share_inside(self, shape: Shape) -> float:
+        """Share of the length that is nearer to an obstacle than it may be."""
+        return float(shape.steps @ (self.between(shape) < 0))
 
     def between(self, shape: Shape) -> np.ndarray:
         """(n,) smallest gap over each element, its inside included."""

@@ -98,6 +98,8 @@ class Trial:
         rows, features = self.nlp.contact_rows, self.values["features"]
         push = np.where((rows >= 0) & self.acting[rows], -self.raw.multipliers[rows], 0.0)
         nodes = self.shape.position
+        if not rows.shape[1]:
+            return np.zeros((len(nodes), 0, 3))
         slopes = [contact.slope(nodes, features[:, i]) for i in range(rows.shape[1])]
         return push[..., None] * np.stack(slopes, axis=1)
 
@@ -119,6 +121,15 @@ class Trial:
     def lowest_mode(self):
         """(relative eigenvalue, variation of the decision vector)"""
         return self._second_variation.lowest_mode()
+
+    def swayed(self, size) -> Shape:
+        """Its nodes moved along the least stable variation, the one that moves most by ``size`` (negative for the
+        other way): a guess that has no symmetry to be caught in."""
+        _, mode = self.lowest_mode
+        states = self.nlp.states[:, :3]
+        change = size * mode / max(np.abs(mode[states]).max(), 1e-9)
+        nodes = layout.places(self.nlp, self.shape.steps, self.raw.x + change)
+        return Shape.from_frames(*nodes, self.nlp.structure.joints)
 
     @cached_property
     def stable(self) -> bool:
