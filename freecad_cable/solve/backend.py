@@ -23,7 +23,8 @@ ITERATIONS = 80
 NEAR = {"mu_init": 1e-7, "bound_push": 1e-8}
 """fatrop's options for a start that is nearly the solution: with its usual ones it first pushes the start away from the
 bounds that act (measured: two sliding supports dragged take 4 iterations instead of 14)."""
-BARRIER = 1e-4
+
+BARRIER = 1e-5
 """First barrier parameter where obstacles are near. The default of 0.1 pushes a cable away from all of them as hard as
 it resists bending, and loses the start."""
 
@@ -75,6 +76,7 @@ def built(structure: Structure, name: str, near: bool = False):
                 # With it fatrop was seen to correct its matrix without end at supports that slide.
                 "linsol_increased_accuracy": False,
             }
+            | ({"mu_init": BARRIER} if structure.contacts else {})
             | (NEAR if near else {}),
         }
     else:

@@ -90,7 +90,7 @@ def _gathered(problem, found):
             if not places:
                 return replace(found, measured=None)  # touches nothing, so the strong form holds
             start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
-            finer = _settled(problem, start)
+            finer = _settled(problem, start, fallback=True)
             if finer is None:
                 return found
             moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
@@ -118,14 +118,15 @@ def _places(trial, around_it):
     return places
 
 
-def _settled(problem, shape, leaving=False):
-    """Solve on the nodes of ``shape`` until the features are those of the solution."""
+def _settled(problem, shape, leaving=False, fallback=False):
+    """Solve on the nodes of ``shape`` until the features are those of the solution. ``fallback``: whether it is worth
+    asking the slower solver too."""
     around_it = problem.surroundings
     settled = SETTLED * around_it.radius
     for turn in range(PASSES):
         found = around_it.features(shape, leaving=leaving and turn == 0)
         features, owners = (None, None) if found is None else found
-        trial = problem.solve(shape, features=features, fallback=False)
+        trial = problem.solve(shape, features=features, fallback=fallback)
         if trial is None:
             return None
         trial = replace(trial, owners=owners)

@@ -8,7 +8,9 @@ goes another way, past the obstacles rather than through them.
 
 import numpy as np
 
-from ..transcription.guess import guess
+from ..geometry import rotation
+from ..problem import Clamped, Free
+from ..transcription.guess import guess, rolled
 from . import mesh
 
 SWAY = 0.03
@@ -28,6 +30,8 @@ def detours(problem, trial, elements):
 
     yield on(trial.swayed(SWAY))
     yield on(trial.swayed(-SWAY))
+    if isinstance(problem.scene.start, Free) or isinstance(problem.scene.end, Free):
+        yield on(_laid(problem, trial.shape))
     others = [trial.swayed(size) for size in FARTHER]
     if problem.scene.spans:
         axes = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
@@ -39,3 +43,29 @@ def detours(problem, trial, elements):
     inside = [problem.surroundings.share_inside(shape) for shape in others]
     for k in np.argsort(inside, kind="stable")[:MOST]:
         yield on(others[k])
+
+
+def _laid(problem, shape):
+    """The cable let out from its held end: where it meets an obstacle it goes on along that."""
+    scene, around = problem.scene, problem.surroundings
+    order = slice(None, None, -1 if isinstance(scene.start, Free) else 1)
+    steps, places = shape.steps[order], shape.position[order]
+    wanted = np.diff(places, axis=0) / steps[:, None]
+    laid, ahead = [places[0]], wanted[0]
+    for step, direction in zip(steps, wanted, strict=True):
+        place = laid[-1] + step * direction
+        if around.gap(place)[0] < 0:
+            place = laid[-1] + step * ahead
+        for _ in range(5):
+            gap, normal = around.gap(place)
+            place = place + max(-gap, 0.0) * normal
+            ahead = (place - laid[-1]) / max(np.linalg.norm(place - laid[-1]), 1e-12)
+            place = laid[-1] + step * ahead
+        laid.append(place)
+    position = np.array(laid)[order]
+    tangent = np.gradient(position, shape.arc_length, axis=0)
+    tangent /= np.linalg.norm(tangent, axis=1)[:, None]
+    start = scene.start
+    first = start.quaternion if isinstance(start, Clamped) else rotation.from_tangent(tangent[0])
+    frames = rotation.transport(first, tangent)
+    return rolled(scene, problem.scaling, shape.arc_length, position, frames)

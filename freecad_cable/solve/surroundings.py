@@ -82,6 +82,12 @@ class Surroundings:
             allowed[:, node] = np.inf
         return allowed
 
+    def gap(self, point):
+        """What is left at a point (3,) of the distance to keep from the nearest obstacle, and its normal (3,)."""
+        found = self.nearest(point[None])
+        closest = min(found, key=lambda each: each.distance[0])
+        return closest.distance[0] - self.keep, closest.normal[0]
+
     def clearance(self, shape: Shape) -> float:
         """Smallest distance between the surfaces of cable and obstacles, without units."""
         if not self.obstacles:

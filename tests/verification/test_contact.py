@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Contact against closed forms: a cable laid down on a floor, and one drawn over a cylinder."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from freecad_cable.equilibrium import find_equilibrium
+from freecad_cable.geometry import rotation
+from freecad_cable.options import SolveOptions
+from freecad_cable.problem import Clamped, Cylinder, Free, HalfSpace, Rod, Scene, Sphere
+
+RADIUS = 0.01
+ALONG_X = rotation.exponential([0, np.pi / 2, 0])
+
+# Height of the clamp over the floor; arc length and x of the touch-down, force of the floor at it. From the first
+# integral of the planar rod and shooting on the arc length, with EI = w = 1.
+LAID_DOWN = [
+    (0.1, 1.639645195245, 1.635456410325, 0.545849190069),
+    (1.0, 3.006510963490, 2.766575251021, 0.960150222923),
+]
+
+
+def rod(length, **more):
+    return Rod(length=length, radius=RADIUS, bending_stiffness=1.0, torsional_stiffness=1.0, **more)
+
+
+def laid_down(height, tolerance=1e-5):
+    return Scene(
+        rod=rod(5.0, mass_per_length=1.0),
+        start=Clamped([0, 0, height + RADIUS], ALONG_X, place="start"),
+        end=Free(),
+        gravity=[0, 0, -1.0],
+        obstacles=(HalfSpace([0, 0, 0], [0, 0, 1]),),
+        options=SolveOptions(tolerance=tolerance),
+    )
+
+
+@pytest.mark.parametrize(("height", "arc_length", "x", "force"), LAID_DOWN)
+def test_laid_down_on_a_floor(height, arc_length, x, force):
+    solution = find_equilibrium(laid_down(height)).raise_for_status()
+    # A node lies where the floor begins to push, to the width of the last mesh there, 5/64/6² = 2e-3; the moment at
+    # the clamp changes by its square, the force by 1e-3 of it.
+    assert np.linalg.norm(solution.start_reaction.moment) == pytest.approx(
+        np.sqrt(2 * height), rel=1e-3
+    )
+    assert solution.start_reaction.force[2] == pytest.approx(arc_length - force, rel=1e-3)
+    carried = sum(contact.force for contact in solution.contacts)
+    assert carried[2] == pytest.approx(5.0 - arc_length + force, rel=1e-3)
+    assert np.abs(carried[:2]).max() < 1e-9
+    down = solution.position[:, 2] < RADIUS + 1e-6
+    assert solution.arc_length[down][0] == pytest.approx(arc_length, abs=1e-2)
+    assert solution.position[down][0, 0] == pytest.approx(x, abs=1e-2)
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-4, 1e-5])
+@pytest.mark.parametrize(("height", "arc_length", "x", "force"), LAID_DOWN)
+def test_the_error_estimate_over_a_floor(height, arc_length, x, force, tolerance):
+    solution = find_equilibrium(laid_down(height, tolerance)).raise_for_status()
+
+    def slope(s, y):
+        angle, moment = y[2:]
+        return np.cos(angle), np.sin(angle), moment, -(arc_length - force - s) * np.cos(angle)
+
+    fall = [0, height + RADIUS, 0, 0]
+    s = np.minimum(solution.arc_length, arc_length)
+    # The sign of the moment at the clamp: it bends the rod down.
+    fall[3] = -np.sqrt(2 * height)
+    slope_down = lambda s, y: (*slope(s, y)[:3], (arc_length - force - s) * np.cos(y[2]))  # noqa: E731
+    exact = solve_ivp(slope_down, (0, arc_length), fall, dense_output=True, rtol=1e-11, atol=1e-12)
+    plane = exact.sol(s)[:2]
+    plane[0] += solution.arc_length - s
+    error = np.hypot(*(solution.position[:, [0, 2]].T - plane)).max()
+    # An estimate is one of size: what is left may be as large as the last change that was seen, twice.
+    assert error < 2 * max(solution.position_error, 1e-7)
+    assert solution.position_error <= tolerance * 5.0
+
+
+# Effective radius 0.2, pull 200, EI = 1, clamps that point down 2 below the axis: far against the bending length
+# √(EI/T), so that the pull is that of an infinitely long rod to 1e-12.
+PULL, EFFECTIVE = 200.0, 0.2
+HALF_ANGLE = np.arccos(1 - 1 / (2 * PULL * EFFECTIVE**2))
+
+
+def draped(tolerance=1e-5):
+    phi, reach = np.pi / 2 - HALF_ANGLE, 2.0
+    lift = np.arccos(1 - 1 / (2 * PULL * EFFECTIVE**2))
+    a = EFFECTIVE * np.cos(lift) + 1 / (EFFECTIVE * PULL)
+    straight = reach + EFFECTIVE * np.sin(lift) + 2 / np.sqrt(PULL) * (1 - np.cos(lift / 2))
+    length = 2 * (EFFECTIVE * (np.pi / 2 - lift) + straight)
+    up, down = [1, 0, 0, 0], rotation.exponential([0, np.pi, 0])
+    scene = Scene(
+        rod=rod(length, mass_per_length=0.0),
+        start=Clamped([-a, 0, -reach], up, place="start"),
+        end=Clamped([a, 0, -reach], down),
+        obstacles=(Cylinder([0, -1, 0], [0, 1, 0], EFFECTIVE - RADIUS),),
+        options=SolveOptions(tolerance=tolerance),
+    )
+    return scene, phi
+
+
+def test_drawn_over_a_cylinder():
+    scene, half_angle = draped()
+    assert scene.rod.length == pytest.approx(4.629798653446, abs=1e-11)
+    assert half_angle == pytest.approx(1.215375125105, abs=1e-11)
+    solution = find_equilibrium(scene).raise_for_status()
+    assert solution.energy.total == pytest.approx(6.967774492147, rel=1e-4)
+    assert solution.start_reaction.force[2] == pytest.approx(-PULL, rel=1e-2)
+    assert sum(c.force for c in solution.contacts)[2] == pytest.approx(2 * PULL, rel=1e-2)
+    # The rod lies on the cylinder between the points of lift-off.
+    angle = np.arctan2(solution.position[:, 0], solution.position[:, 2])
+    lies = np.hypot(solution.position[:, 0], solution.position[:, 2]) < EFFECTIVE + 1e-5
+    assert np.abs(angle[lies]).max() == pytest.approx(half_angle, rel=2e-2)
+    # The point force at lift-off, with what the pressure adds over the window in which it is caught.
+    s, middle, window = solution.arc_length, scene.rod.length / 2, 0.02
+    lift_off = middle - EFFECTIVE * half_angle
+    at = lambda s0: np.array([np.interp(s0, s, column) for column in solution.force.T])  # noqa: E731
+    caught = np.linalg.norm(at(lift_off + window) - at(lift_off - window))
+    assert caught - 937.5 * window == pytest.approx(69.597054535, rel=3e-2)
+
+
+def test_a_cable_slides_off_the_top_of_a_ball():
+    """Drawn over a ball it is in balance as over a cylinder, but any path beside the top is shorter."""
+    scene, _ = draped(1e-4)
+    over = find_equilibrium(scene).raise_for_status()
+    ball = replace(scene, obstacles=(Sphere([0, 0, 0], EFFECTIVE - RADIUS),))
+    for start in (None, over):
+        solution = find_equilibrium(ball, start=start)
+        if solution.status.success:
+            assert solution.energy.total < 0.9 * over.energy.total
+            assert np.abs(solution.position[:, 1]).max() > EFFECTIVE / 2
