@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from ..errors import SolverMissingError
+from ..errors import ProblemError, SolverMissingError
 from ..geometry import rotation
 from ..problem import Scene
 from ..problem.reduce import reduce
@@ -32,12 +32,50 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
         return shortest(scene, find_equilibrium)
     if stretches.cuts(scene):
         return stretches.solved(scene, find_equilibrium, start)
+    problem = _problem(scene)
+    if isinstance(problem, Solution):
+        return problem
+    from ..solve.effects import find
+    from ..solve.trial import TimeUpError
+
+    try:
+        trial = find(problem, None if start is None else _nodes(start, problem))
+    except TimeUpError:
+        message = f"{Status.TIME_LIMIT.value} It is {scene.options.time_limit:g} s."
+        return Solution(scene=scene, status=Status.TIME_LIMIT, message=message)
+    if trial is None:
+        return Solution(
+            scene=scene,
+            status=Status.NOT_CONVERGED,
+            message=f"{Status.NOT_CONVERGED.value} {_advice(scene)}",
+            solver=effort(problem, None),
+        )
+    return solution(problem, trial)
+
+
+def find_equilibria(scene: Scene) -> list[Solution]:
+    """The stable equilibria of a scene that many starts lead to, lowest energy first; the first is not always the one
+    that ``find_equilibrium`` gives, nor the one that a cable is in. Empty if none is found in the time limit. Errors:
+    ``ProblemError`` if the length is asked for or clamps cut the cable in stretches, ``SolverMissingError``."""
+    if scene.asks_length or stretches.cuts(scene):
+        raise ProblemError(
+            "scene", "has no one set of equilibria; give a length, and ask for each stretch alone"
+        )
+    problem = _problem(scene)
+    if isinstance(problem, Solution):
+        return []
+    from ..solve.branches import find_all
+
+    return [solution(problem, trial) for trial in find_all(problem)]
+
+
+def _problem(scene):
+    """The ``Problem`` of a scene, or the ``Solution`` that says why it is none. Enters the rooms that need CasADi."""
     model = reduce(scene)
     if (sentence := _without_slack(scene)) is not None:
         return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)
     try:
-        from ..solve.effects import find
-        from ..solve.trial import Problem, TimeUpError
+        from ..solve.trial import Problem
     except ImportError as error:
         if error.name and error.name.split(".")[0] != "casadi":
             raise
@@ -53,19 +91,7 @@ def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution
             "mass, stiffness and length for a wrong unit."
         )
         return Solution(scene=scene, status=Status.NOT_CONVERGED, message=message)
-    try:
-        trial = find(problem, None if start is None else _nodes(start, problem))
-    except TimeUpError:
-        message = f"{Status.TIME_LIMIT.value} It is {scene.options.time_limit:g} s."
-        return Solution(scene=scene, status=Status.TIME_LIMIT, message=message)
-    if trial is None:
-        return Solution(
-            scene=scene,
-            status=Status.NOT_CONVERGED,
-            message=f"{Status.NOT_CONVERGED.value} {_advice(scene)}",
-            solver=effort(problem, None),
-        )
-    return solution(problem, trial)
+    return problem
 
 
 def _without_slack(scene):

@@ -47,7 +47,7 @@ def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     found = contact.around(problem, found)
     if found is None or found.touches or problem.scene.options.elements is not None:
         return found
-    return _refined(problem, found)
+    return refined(problem, found)
 
 
 def _formed(problem, trial):
@@ -60,7 +60,7 @@ def _formed(problem, trial):
     found = problem.solve(trial.shape)
     if found is None or problem.scene.options.elements is not None:
         return found
-    return _refined(problem, found)
+    return refined(problem, found)
 
 
 def _free(problem, warm):
@@ -76,14 +76,14 @@ def _free(problem, warm):
             found = None
     if found is None:
         for trial in _attempts(problem, first):
-            trial = _off_saddle(problem, trial)
+            trial = off_saddle(problem, trial)
             if found is None or _better(trial, found):
                 found = trial
             if found.stable and found.error < GARBAGE:
                 break
     if found is None or elements is not None:
         return found
-    return _refined(problem, found)
+    return refined(problem, found)
 
 
 def _better(trial, other):
@@ -156,7 +156,7 @@ def _elsewhere(problem, arc_length):
             yield trial
 
 
-def _off_saddle(problem, trial):
+def off_saddle(problem, trial):
     """Follow the least stable variation down both sides, to a minimum if one is found."""
     for _ in range(3):
         if trial.stable or trial.error > GARBAGE:
@@ -172,7 +172,7 @@ def _off_saddle(problem, trial):
     return trial
 
 
-def _refined(problem, trial):
+def refined(problem, trial):
     """Re-mesh until the error estimate is within the tolerance, or the mesh as fine as it may be."""
     tolerance = problem.scene.options.tolerance
     order = SCHEMES[problem.scheme].ORDER
