@@ -14,8 +14,8 @@ WAYS = 8
 SAG = 60.0
 """Load that sends it there, without units."""
 APART = 0.01
-"""Distance between shapes, relative to the length, from which they are two; and, if they lie in the same place, share of
-the energy by which their twist must differ."""
+"""Distance between shapes, relative to the length, from which they are two; and, if they lie in the same place, share
+of the energy by which their twist must differ."""
 
 
 def find_all(problem: Problem) -> list[Trial]:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The stable equilibria of the seed paper's Table 1, against a search that shares nothing with ours: 18 pose homotopies and
-80 random starts of an exact boundary value solver a case; energies in J from the start point."""
+"""The stable equilibria of the seed paper's Table 1, against a search that shares nothing with ours: 18 pose homotopies
+and 80 random starts of an exact boundary value solver a case; energies in J from the start point."""
 
 from dataclasses import replace
 
