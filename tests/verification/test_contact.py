@@ -50,9 +50,10 @@ def test_laid_down_on_a_floor(height, arc_length, x, force):
     carried = sum(contact.force for contact in solution.contacts)
     assert carried[2] == pytest.approx(5.0 - arc_length + force, rel=1e-3)
     assert np.abs(carried[:2]).max() < 1e-9
-    down = solution.position[:, 2] < RADIUS + 1e-6
-    assert solution.arc_length[down][0] == pytest.approx(arc_length, abs=1e-2)
-    assert solution.position[down][0, 0] == pytest.approx(x, abs=1e-2)
+    # What lies on the floor is carried by it; before that the rod carries the point force.
+    last = np.flatnonzero(np.abs(solution.force[:, 2]) > force / 2)[-1]
+    assert solution.arc_length[last] == pytest.approx(arc_length, abs=1e-2)
+    assert solution.position[last, 0] == pytest.approx(x, abs=1e-2)
 
 
 @pytest.mark.parametrize("tolerance", [1e-3, 1e-4, 1e-5])
@@ -61,57 +62,62 @@ def test_the_error_estimate_over_a_floor(height, arc_length, x, force, tolerance
     solution = find_equilibrium(laid_down(height, tolerance)).raise_for_status()
 
     def slope(s, y):
-        angle, moment = y[2:]
-        return np.cos(angle), np.sin(angle), moment, -(arc_length - force - s) * np.cos(angle)
+        angle, curvature = y[2:]
+        return np.cos(angle), np.sin(angle), curvature, (arc_length - force - s) * np.cos(angle)
 
-    fall = [0, height + RADIUS, 0, 0]
+    # The moment at the clamp bends the rod down.
+    first = [0, height + RADIUS, 0, -np.sqrt(2 * height)]
     s = np.minimum(solution.arc_length, arc_length)
-    # The sign of the moment at the clamp: it bends the rod down.
-    fall[3] = -np.sqrt(2 * height)
-    slope_down = lambda s, y: (*slope(s, y)[:3], (arc_length - force - s) * np.cos(y[2]))  # noqa: E731
-    exact = solve_ivp(slope_down, (0, arc_length), fall, dense_output=True, rtol=1e-11, atol=1e-12)
+    exact = solve_ivp(slope, (0, arc_length), first, dense_output=True, rtol=1e-11, atol=1e-12)
     plane = exact.sol(s)[:2]
     plane[0] += solution.arc_length - s
     error = np.hypot(*(solution.position[:, [0, 2]].T - plane)).max()
-    # An estimate is one of size: what is left may be as large as the last change that was seen, twice.
-    assert error < 2 * max(solution.position_error, 1e-7)
-    assert solution.position_error <= tolerance * 5.0
+    assert error < tolerance * 5.0
+    # The estimate is the last change from mesh to mesh, a size and no bound.
+    assert error < 10 * max(solution.position_error, 1e-7)
 
 
 # Effective radius 0.2, pull 200, EI = 1, clamps that point down 2 below the axis: far against the bending length
 # √(EI/T), so that the pull is that of an infinitely long rod to 1e-12.
 PULL, EFFECTIVE = 200.0, 0.2
-HALF_ANGLE = np.arccos(1 - 1 / (2 * PULL * EFFECTIVE**2))
+HALF_ANGLE = np.pi / 2 - np.arccos(1 - 1 / (2 * PULL * EFFECTIVE**2))
 
 
-def draped(tolerance=1e-5):
-    phi, reach = np.pi / 2 - HALF_ANGLE, 2.0
-    lift = np.arccos(1 - 1 / (2 * PULL * EFFECTIVE**2))
+def draped(height=0.0):
+    """The scene, its cylinder ``height`` higher than the closed form has it."""
+    reach, lift = 2.0, np.pi / 2 - HALF_ANGLE
     a = EFFECTIVE * np.cos(lift) + 1 / (EFFECTIVE * PULL)
     straight = reach + EFFECTIVE * np.sin(lift) + 2 / np.sqrt(PULL) * (1 - np.cos(lift / 2))
-    length = 2 * (EFFECTIVE * (np.pi / 2 - lift) + straight)
+    length = 2 * (EFFECTIVE * HALF_ANGLE + straight)
     up, down = [1, 0, 0, 0], rotation.exponential([0, np.pi, 0])
-    scene = Scene(
+    return Scene(
         rod=rod(length, mass_per_length=0.0),
         start=Clamped([-a, 0, -reach], up, place="start"),
         end=Clamped([a, 0, -reach], down),
-        obstacles=(Cylinder([0, -1, 0], [0, 1, 0], EFFECTIVE - RADIUS),),
-        options=SolveOptions(tolerance=tolerance),
+        obstacles=(Cylinder([0, -1, height], [0, 1, height], EFFECTIVE - RADIUS),),
     )
-    return scene, phi
 
 
-def test_drawn_over_a_cylinder():
-    scene, half_angle = draped()
+@pytest.fixture(scope="module")
+def over():
+    """By itself the cable hangs below the top of the cylinder; it is caught when that comes from below."""
+    solution = None
+    for height in (-0.25, -0.15, -0.05, 0.0):
+        solution = find_equilibrium(draped(height), start=solution).raise_for_status()
+    return solution
+
+
+def test_drawn_over_a_cylinder(over):
+    solution, scene, half_angle = over, over.scene, HALF_ANGLE
     assert scene.rod.length == pytest.approx(4.629798653446, abs=1e-11)
     assert half_angle == pytest.approx(1.215375125105, abs=1e-11)
-    solution = find_equilibrium(scene).raise_for_status()
     assert solution.energy.total == pytest.approx(6.967774492147, rel=1e-4)
     assert solution.start_reaction.force[2] == pytest.approx(-PULL, rel=1e-2)
     assert sum(c.force for c in solution.contacts)[2] == pytest.approx(2 * PULL, rel=1e-2)
-    # The rod lies on the cylinder between the points of lift-off.
+    # The rod lies on the cylinder between the points of lift-off; from there the gap grows like 69.6 s³/6, so that it
+    # is seen 0.01 rad later.
     angle = np.arctan2(solution.position[:, 0], solution.position[:, 2])
-    lies = np.hypot(solution.position[:, 0], solution.position[:, 2]) < EFFECTIVE + 1e-5
+    lies = np.hypot(solution.position[:, 0], solution.position[:, 2]) < EFFECTIVE + 1e-7
     assert np.abs(angle[lies]).max() == pytest.approx(half_angle, rel=2e-2)
     # The point force at lift-off, with what the pressure adds over the window in which it is caught.
     s, middle, window = solution.arc_length, scene.rod.length / 2, 0.02
@@ -121,13 +127,9 @@ def test_drawn_over_a_cylinder():
     assert caught - 937.5 * window == pytest.approx(69.597054535, rel=3e-2)
 
 
-def test_a_cable_slides_off_the_top_of_a_ball():
+def test_a_cable_slides_off_the_top_of_a_ball(over):
     """Drawn over a ball it is in balance as over a cylinder, but any path beside the top is shorter."""
-    scene, _ = draped(1e-4)
-    over = find_equilibrium(scene).raise_for_status()
-    ball = replace(scene, obstacles=(Sphere([0, 0, 0], EFFECTIVE - RADIUS),))
-    for start in (None, over):
-        solution = find_equilibrium(ball, start=start)
-        if solution.status.success:
-            assert solution.energy.total < 0.9 * over.energy.total
-            assert np.abs(solution.position[:, 1]).max() > EFFECTIVE / 2
+    ball = replace(over.scene, obstacles=(Sphere([0, 0, 0], EFFECTIVE - RADIUS),))
+    solution = find_equilibrium(ball, start=over).raise_for_status()
+    assert solution.energy.total < 0.9 * over.energy.total
+    assert np.abs(solution.position[:, 1]).max() > EFFECTIVE / 2

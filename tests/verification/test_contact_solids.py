@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Contact with solids: the same solid said in other words, balance, and what must not change the answer."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicHermiteSpline
+
+from freecad_cable.equilibrium import find_equilibrium
+from freecad_cable.geometry import rotation
+from freecad_cable.problem import Box, Clamped, Cylinder, HalfSpace, Mesh, Sphere
+
+FLOOR = HalfSpace([0, 0, -0.05], [0, 0, 1])
+ACROSS = Cylinder([-0.3, -0.24, -0.12], [0.4, -0.24, -0.12], 0.05)
+BALL = Sphere([0.045, -0.24, -0.1], 0.05)
+CASES = {
+    "floor": FLOOR,
+    "slope": HalfSpace([0, 0, -0.04], [0.3, 0.2, 1]),
+    "sphere": BALL,
+    "sphere in the way": Sphere([0.02, -0.2, -0.04], 0.08),
+    "cylinder": ACROSS,
+    "box in the way": Box([0.045, -0.22, -0.05], [1, 0, 0, 0], [0.1, 0.1, 0.1]),
+    "thin plate": Box([0.045, -0.22, -0.05], [1, 0, 0, 0], [0.3, 0.3, 0.002]),
+    "long bar": Cylinder([0.03, -1, -0.06], [0.03, 1, -0.06], 0.05),
+}
+
+
+@pytest.fixture(scope="module")
+def solved():
+    return {}
+
+
+@pytest.fixture
+def solve(table_1, solved):
+    """Solution of Table 1 (0.73 m) among obstacles; solved once for all tests."""
+
+    def find(*obstacles, **more):
+        key = (*map(id, obstacles), *sorted(more.items()))
+        if key not in solved:
+            scene = replace(table_1(0.73), obstacles=obstacles, **more)
+            solved[key] = find_equilibrium(scene).raise_for_status(), obstacles
+        return solved[key][0]
+
+    return find
+
+
+def fine(solution):
+    """Points between the nodes, on the cubic that positions and tangents define."""
+    s = solution.arc_length
+    curve = CubicHermiteSpline(s, solution.position, rotation.tangent(solution.quaternion))
+    return curve(np.interp(np.linspace(0, len(s) - 1, 16 * len(s)), np.arange(len(s)), s))
+
+
+def of_cylinder(sides):
+    """A mesh in a cylinder along x as long and as thick as ``ACROSS``."""
+    angle = 2 * np.pi * np.arange(sides) / sides
+    ring = np.column_stack([np.zeros(sides), np.cos(angle), np.sin(angle)]) * ACROSS.radius
+    vertices = np.vstack([ring + ACROSS.start, ring + ACROSS.end, [ACROSS.start, ACROSS.end]])
+    i = np.arange(sides)
+    j = (i + 1) % sides
+    first, last = np.full(sides, 2 * sides), np.full(sides, 2 * sides + 1)
+    sheets = [(i, j + sides, i + sides), (i, j, j + sides), (first, j, i)]
+    sheets.append((last, i + sides, j + sides))
+    triangles = np.vstack([np.column_stack(sheet) for sheet in sheets])
+    mesh = [triangles, triangles[:, ::-1]]
+    volume = np.einsum(
+        "ti,ti->t",
+        vertices[triangles[:, 0]] - ACROSS.start,
+        np.cross(
+            vertices[triangles[:, 1]] - ACROSS.start, vertices[triangles[:, 2]] - ACROSS.start
+        ),
+    )
+    return Mesh(vertices, mesh[int(volume.sum() < 0)])
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_no_penetration_and_balance(solve, name):
+    obstacle = CASES[name]
+    solution = solve(obstacle)
+    scene = solution.scene
+    gap = obstacle.nearest(fine(solution)).distance - scene.rod.radius
+    # In contact, and nowhere deeper than 1 % of the radius.
+    assert abs(gap.min()) < 0.01 * scene.rod.radius
+    assert solution.min_clearance == pytest.approx(gap.min(), abs=0.01 * scene.rod.radius)
+    assert solution.stable
+    carried = sum(contact.force for contact in solution.contacts)
+    forces = solution.start_reaction.force + solution.end_reaction.force + carried
+    # Exact in the discrete problem; what the solver leaves.
+    assert np.abs(forces + scene.weight * scene.rod.length).max() < 1e-6
+    for contact in solution.contacts:
+        place = [np.interp(contact.arc_length, solution.arc_length, c) for c in solution.position.T]
+        assert obstacle.nearest(np.array([place])).normal[0] @ contact.force > 0
+
+
+@pytest.mark.parametrize("name", ["sphere", "sphere in the way"])
+def test_a_ball_pushes_from_its_centre(solve, name):
+    ball = CASES[name]
+    for contact in solve(ball).contacts:
+        solution = solve(ball)
+        place = [np.interp(contact.arc_length, solution.arc_length, c) for c in solution.position.T]
+        lever = place - ball.center
+        moment = np.linalg.norm(np.cross(lever, contact.force))
+        # The place is the mean of the force along the cable, which lies on the ball over some of it.
+        assert moment < 0.05 * np.linalg.norm(lever) * np.linalg.norm(contact.force)
+
+
+def test_the_top_of_a_box_is_a_plane(solve):
+    box = Box([0, 0, -0.15], [1, 0, 0, 0], [2, 2, 0.2])
+    one, other = solve(FLOOR), solve(box)
+    # Both to the tolerance of 1e-4 of the length.
+    there = np.stack([np.interp(one.arc_length, other.arc_length, c) for c in other.position.T], 1)
+    assert np.abs(there - one.position).max() < 2e-4 * 0.73
+    assert other.energy.total == pytest.approx(one.energy.total, rel=1e-4)
+
+
+def test_a_mesh_of_a_cylinder(solve):
+    exact = solve(ACROSS)
+    force = sum(np.linalg.norm(contact.force) for contact in exact.contacts)
+    energies = []
+    for sides in (16, 48):
+        solution = solve(of_cylinder(sides))
+        sagitta = ACROSS.radius * (1 - np.cos(np.pi / sides))
+        # Lowering the obstacle by δ frees at most the work of its force over δ; the mesh is between the cylinder and
+        # one thinner by the sagitta. The rest is what both solutions leave, 1e-5 of the energy.
+        freed = exact.energy.total - solution.energy.total
+        assert -1e-5 * exact.energy.total < freed < force * sagitta + 1e-5 * exact.energy.total
+        energies.append(solution.energy.total)
+    assert abs(energies[1] - exact.energy.total) < abs(energies[0] - exact.energy.total)
+
+
+def test_clearance_is_a_thicker_obstacle(solve):
+    one = solve(BALL, clearance=0.01)
+    other = solve(Sphere(BALL.center, BALL.radius + 0.01))
+    assert np.abs(one.position - other.position).max() < 1e-9
+    assert one.min_clearance == pytest.approx(0.01, abs=0.01 * 0.0035)
+
+
+def test_obstacles_out_of_the_way_change_nothing(solve, table_1):
+    alone = find_equilibrium(table_1(0.73))
+    out_of_reach = Sphere([5, 5, 5], 0.1)
+    beside = Sphere([0.3, 0.3, 0.3], 0.05)
+    for obstacle in (out_of_reach, beside):
+        solution = solve(obstacle)
+        assert (solution.position == alone.position).all()
+        assert solution.solver["iterations"] == alone.solver["iterations"]
+        assert any("obstacles" in sentence for sentence in solution.left_out)
+    one, other = solve(FLOOR), solve(FLOOR, out_of_reach)
+    assert (one.position == other.position).all()
+
+
+def test_the_order_of_obstacles(solve):
+    wall = HalfSpace([0, -0.22, 0], [0, 1, 0.5])
+    one, other = solve(FLOOR, wall, BALL), solve(BALL, FLOOR, wall)
+    assert np.abs(one.position - other.position).max() < 1e-6
+    assert {c.obstacle for c in other.contacts} == {(c.obstacle + 1) % 3 for c in one.contacts}
+
+
+def test_rigid_motion(solve):
+    shift, turn = np.array([3.0, -1.0, 2.0]), rotation.exponential([0.4, -1.1, 0.8])
+    there = lambda point: rotation.rotate(turn, np.asarray(point)) + shift  # noqa: E731
+    here = solve(ACROSS)
+    scene = here.scene
+    start, end = (
+        Clamped(there(e.position), rotation.multiply(turn, e.quaternion))
+        for e in (scene.start, scene.end)
+    )
+    moved = replace(
+        scene,
+        start=start,
+        end=end,
+        gravity=rotation.rotate(turn, scene.gravity),
+        obstacles=(Cylinder(there(ACROSS.start), there(ACROSS.end), ACROSS.radius),),
+    )
+    solution = find_equilibrium(moved).raise_for_status()
+    # The sway of the start is along an eigenvector, whose sign is not its own; the answers are alike to the tolerance.
+    assert np.abs(solution.position - there(here.position)).max() < 1e-4 * 0.73
+    assert solution.energy.total == pytest.approx(here.energy.total, rel=1e-5)
+
+
+def test_a_fixed_mesh_and_a_finer_solution(solve, table_1):
+    """The estimate bounds the distance to a solution asked for with a hundredth of the tolerance."""
+    scene = replace(table_1(0.73), obstacles=(BALL,))
+    coarse = solve(BALL)
+    best = find_equilibrium(replace(scene, options=replace(scene.options, tolerance=2e-6)))
+    there = np.stack([np.interp(coarse.arc_length, best.arc_length, c) for c in best.position.T], 1)
+    # Linear interpolation between nodes h apart misses h² κ/8.
+    h = np.diff(best.arc_length).max()
+    missed = h**2 / best.min_bend_radius[0] / 8
+    assert np.abs(there - coarse.position).max() < 3 * coarse.position_error + missed
