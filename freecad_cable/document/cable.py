@@ -5,12 +5,14 @@ import Part
 from FreeCAD import Placement, Vector
 
 from ..equilibrium import find_equilibrium
-from ..errors import CableError, DocumentError
+from ..errors import CableError, DocumentError, ProblemError
 from ..shape.centreline import centreline_wire
 from ..shape.profile import profile
 from ..shape.sweep import sweep_profile, sweep_round
+from ..status import Status
 from . import results, stored_solution
 from .cable_type import doubts
+from .complaint import in_properties, in_words
 from .property_table import Prop, wrong
 from .proxy import IncompleteError, Proxy, in_use
 from .read_scene import read_scene
@@ -47,9 +49,9 @@ class Cable(Proxy):
             "Enumeration",
             "Cable",
             "Fixed: the length is given. Slack: it follows from the distance of the terminals, measured over the "
-            "supports",
+            "supports. Shortest: the least that keeps bend radius and clearance",
             "Fixed",
-            choices=("Fixed", "Slack"),
+            choices=("Fixed", "Slack", "Shortest"),
         ),
         Prop("Length", "Distance", "Cable", "Length of the unloaded cable", "500 mm", unit="mm"),
         Prop(
@@ -59,6 +61,14 @@ class Cable(Proxy):
             "(length - distance) / distance, with the straight way from terminal to terminal over the supports; "
             "0.1 is 10 %",
             0.1,
+        ),
+        Prop(
+            "BendRadiusMode",
+            "Enumeration",
+            "Cable",
+            "Check: warn where the cable bends more sharply than its type allows. Enforce: form it so that it does not",
+            "Check",
+            choices=("Check", "Enforce"),
         ),
         Prop(
             "Gravity",
@@ -103,9 +113,12 @@ class Cable(Proxy):
         obj.setEditorMode("Placement", 2)
         obj.setEditorMode("Length", 0 if obj.LengthMode == "Fixed" else 2)
         obj.setEditorMode("Slack", 0 if obj.LengthMode == "Slack" else 2)
+        for name in ("ShortestLength", "LongestLength", "LengthLimits"):
+            obj.setEditorMode(name, 1 if obj.LengthMode == "Shortest" else 2)
+        obj.setEditorMode("FormedPlaces", 1 if obj.BendRadiusMode == "Enforce" else 2)
 
     def onChanged(self, obj, name):
-        if name == "LengthMode" and in_use(obj):
+        if name in ("LengthMode", "BendRadiusMode") and in_use(obj):
             self.set_editor_modes(obj)
         elif name == "Obstacles":
             self.rebase_references(obj)
@@ -150,6 +163,8 @@ class Cable(Proxy):
 def _solved(obj, scene):
     try:
         return find_equilibrium(scene, start=kept(obj, scene))
+    except ProblemError as error:
+        raise in_properties(obj, error) from None
     except CableError as error:
         raise DocumentError(f"{obj.Label}: {error}") from None
     except (ArithmeticError, ValueError) as error:
@@ -162,8 +177,11 @@ def _unsolved(obj, solution):
     """The core names fields of its scene, a user knows properties; a wrong unit may be why."""
     field, _, complaint = solution.message.partition(": ")
     if field == "cable.length":
-        return wrong(obj, "Length", f"{complaint}.")
-    return DocumentError(" ".join([f"{obj.Label}: {solution.message}", *doubts(obj.CableType)]))
+        return in_properties(obj, ProblemError(field, complaint))
+    message = in_words(obj, solution.message)
+    if solution.status is Status.INFEASIBLE and obj.LengthMode == "Shortest":
+        return wrong(obj, "LengthMode", f"is Shortest. {message}")
+    return DocumentError(" ".join([f"{obj.Label}: {message}", *doubts(obj.CableType)]))
 
 
 def _section(obj):

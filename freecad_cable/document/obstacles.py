@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import Part
+from FreeCAD import Placement
 
 from ..errors import DocumentError, ProblemError
 from ..problem import Free, Scene, Tube
@@ -14,6 +15,7 @@ from ..problem.surroundings import out_of_reach
 from ..shape import obstacle
 from ..shape.centreline import centreline
 from ..shape.units import from_si, vectors_to_si
+from .complaint import OBSTACLE, in_properties
 from .observer import dependents
 from .property_table import wrong
 from .read_held import read_held
@@ -25,6 +27,15 @@ STRETCH = 1.05
 
 SAGITTA = 1 / 20
 """Distance of a tube from the cable that it stands for, as a share of the cable's radius."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """A cable, where a part, an assembly or a link puts it."""
+
+    label: str
+    cable: object
+    placement: Placement
 
 
 @dataclass(frozen=True)
@@ -55,7 +66,7 @@ def _read(cable, pair):
     try:
         if based_beside(cable, pair) != pair:
             raise DocumentError(f"leads out of its container; choose {root.Label} anew.")
-        found = list(_pieces(*pair))
+        found = [tube(each) if isinstance(each, Run) else each for each in pieces(*pair)]
     except DocumentError as error:
         raise wrong(cable, "Obstacles", str(error)) from None
     if not found:
@@ -65,14 +76,15 @@ def _read(cable, pair):
     return found
 
 
-def _pieces(root, way):
-    """The solids and cables at the end of a way down from ``root``."""
+def pieces(root, way):
+    """The solids and cables at the end of a way down from ``root``, as ``Piece`` and ``Run``. Errors:
+    ``DocumentError``."""
     obj = root.getSubObject(way, retType=1) if way else root
     if obj is None:
         raise DocumentError(f"has {way} of {root.Label}, which was deleted or moved.")
     source = obj.getLinkedObject(True)
     if hasattr(source, "NodePosition"):
-        yield _tube(source, root.getSubObject(way, retType=3))
+        yield Run(obj.Label, source, root.getSubObject(way, retType=3))
     elif source.isDerivedFrom("Part::Feature") and not getattr(obj, "ElementCount", 0):
         for i, solid in enumerate(Part.getShape(root, way).Solids):
             name = f"{source.Document.Name}.{source.Name}.{i}"
@@ -82,7 +94,7 @@ def _pieces(root, way):
             child = obj.getSubObject(step, retType=1)
             # What is in a plain group is in the container, too.
             if child and not is_plain_group(child) and _is_visible(obj, step, child):
-                yield from _pieces(root, way + step)
+                yield from pieces(root, way + step)
 
 
 def _is_visible(parent, step, child):
@@ -90,19 +102,18 @@ def _is_visible(parent, step, child):
     return child.Visibility if shown < 0 else bool(shown)
 
 
-def _tube(cable, placement) -> Tube:
-    """Another cable, at ``placement`` of its container."""
+def tube(run) -> Tube:
+    """A cable as what another one must not enter. Errors: ``DocumentError`` if it is not solved."""
+    cable = run.cable
     if not cable.SolvedInputs:
-        raise DocumentError(
-            cable.Status or f"has {cable.Label}, which is not solved; recompute it."
-        )
+        raise DocumentError(cable.Status or f"{cable.Label} is not solved; recompute it.")
     radius = read_held(cable).rod.radius
     curve = centreline(nodes(cable))
     # A chord of length h is h²/8R off an arc of radius R.
     chord = math.sqrt(8 * SAGITTA * from_si("length", radius) * cable.SmallestBendRadius.Value)
     count = 2 + int(curve.length() / chord)
-    points = [placement.multVec(point) for point in curve.discretize(Number=count)]
-    return Tube(vectors_to_si(points), radius, place=f"obstacle {cable.Label}")
+    points = [run.placement.multVec(point) for point in curve.discretize(Number=count)]
+    return Tube(vectors_to_si(points), radius, place=OBSTACLE + run.label)
 
 
 def _in_reach(found, held):
@@ -120,6 +131,6 @@ def _stated(cable, found, radius):
     if isinstance(found, Tube):
         return found
     try:
-        return obstacle.mesh(found.name, found.shape, radius, f"obstacle {found.label}")
+        return obstacle.mesh(found.name, found.shape, radius, OBSTACLE + found.label)
     except ProblemError as error:
-        raise wrong(cable, "Obstacles", f"has {found.label}: {error.message}.") from None
+        raise in_properties(cable, error) from None

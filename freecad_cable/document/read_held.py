@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From the properties of a cable and of what holds it to the scene that states its problem, without obstacles."""
 
+from ..equilibrium.length_design import LONGEST
 from ..errors import DocumentError, ProblemError
 from ..geometry import rotation
 from ..options import SolveOptions
 from ..problem import Clamped, Free, Pinned, Scene, Swivel
 from ..shape.units import from_si, placement_to_si, to_si
 from .cable_type import CableType
+from .complaint import in_properties
 from .property_table import Checked, wrong
 from .proxy import proxy_of
-from .read_supports import complaint, read_supports, straight_length
+from .read_supports import read_supports, straight_length
 from .reference import container
 from .terminal import Terminal
 
@@ -18,17 +20,6 @@ PATIENCE = 20.0
 
 HALF_TURN = (0.0, 1.0, 0.0, 0.0)
 """About x, as a quaternion: a terminal looks out of its part, and at its end the cable runs into it."""
-
-IN_SCENE = {
-    "cable.length": "Length",
-    "start": "Start",
-    "end": "End",
-    "gravity": "Gravity",
-    "options": "Tolerance",
-    "cable": "CableType",
-    "supports": "Supports",
-}
-"""Fields of the scene, whole or up to the first dot, and the properties that state them."""
 
 
 def read_held(cable) -> Scene:
@@ -44,17 +35,13 @@ def read_held(cable) -> Scene:
             end=end,
             supports=supports,
             gravity=list(cable.Gravity),
+            clearance=to_si("length", checked.number("Clearance", at_least=0)),
+            enforce_bend_radius=cable.BendRadiusMode == "Enforce",
+            asks_length=cable.LengthMode == "Shortest",
             options=SolveOptions(tolerance=checked.number("Tolerance"), time_limit=PATIENCE),
         )
     except ProblemError as error:
-        raise _in_properties(cable, error) from None
-
-
-def _in_properties(cable, error):
-    if (about_support := complaint(cable, error)) is not None:
-        return about_support
-    name = IN_SCENE.get(error.field) or IN_SCENE[error.field.partition(".")[0].partition("[")[0]]
-    return wrong(cable, name, f"{error.message}.")
+        raise in_properties(cable, error) from None
 
 
 def _terminals(cable):
@@ -109,6 +96,12 @@ def _rod(cable, checked, start, supports, end):
     if isinstance(start, Pinned) and isinstance(end, Pinned):
         straight = straight_length(start, supports, end)
     rod = proxy.rod(kind, _length(cable, checked, straight))
+    if cable.BendRadiusMode == "Enforce" and rod.min_bend_radius is None:
+        raise wrong(
+            cable,
+            "BendRadiusMode",
+            f"is Enforce, but {kind.Label} has no limit; set its MinBendRadius, or use Check.",
+        )
     if straight is not None and not supports and not rod.axial_stiffness and rod.length < straight:
         raise wrong(
             cable,
@@ -120,16 +113,16 @@ def _rod(cable, checked, start, supports, end):
 
 
 def _length(cable, checked, straight):
-    """[m]"""
+    """[m] Where the length is asked for, the longest that is tried: no obstacle in its reach may be left out."""
     if cable.LengthMode == "Fixed":
         return to_si("length", checked.number("Length", above=0))
-    slack = checked.number("Slack", at_least=0)
+    slack = checked.number("Slack", at_least=0) if cable.LengthMode == "Slack" else LONGEST - 1
     if not straight:
         reason = "the terminals are at the same point" if straight == 0 else "an end is free"
         raise wrong(
             cable,
             "LengthMode",
-            f"is Slack, but {reason}, so there is no straight distance; use Fixed.",
+            f"is {cable.LengthMode}, but {reason}, so there is no straight distance; use Fixed.",
         )
     return straight * (1 + slack)
 

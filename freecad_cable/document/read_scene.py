@@ -4,14 +4,11 @@
 from dataclasses import replace
 
 from ..problem import Scene
-from ..shape.units import to_si
 from .obstacles import read_obstacles
-from .property_table import Checked
 from .read_held import read_held
 
 
 def read_scene(cable) -> Scene:
     """The scene of a cable, in the coordinates of its container. Errors: ``DocumentError``."""
-    clearance = Checked(cable, cable.Proxy.TABLE).number("Clearance", at_least=0)
-    scene = replace(read_held(cable), clearance=to_si("length", clearance))
+    scene = read_held(cable)
     return replace(scene, obstacles=read_obstacles(cable, scene))

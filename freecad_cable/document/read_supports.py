@@ -8,25 +8,11 @@ import numpy as np
 from ..errors import DocumentError
 from ..problem import Pinned
 from ..shape.units import vector_to_si
+from .complaint import place_of
 from .property_table import wrong
 from .proxy import proxy_of
 from .reference import container
 from .support import Support
-
-IN_SUPPORT = {
-    "arc_length": "Position",
-    "radius": "Radius",
-    "position": "Reference",
-    "quaternion": "Reference",
-    "tangent": "Reference",
-    "axis": "Reference",
-}
-"""Fields of a support of the scene and the properties that state them."""
-
-
-def place_of(support):
-    """How a scene, and so every message about it, calls a support."""
-    return f"support {support.Label}"
 
 
 def read_supports(cable, start, end) -> tuple:
@@ -44,18 +30,6 @@ def straight_length(start, supports, end) -> float:
     """Length [m] of the straight lines from the start over the supports to the end, which both hold a position."""
     points = [held.position for held in (start, *supports, end)]
     return float(sum(np.linalg.norm(b - a) for a, b in pairwise(points)))
-
-
-def complaint(cable, error):
-    """The ``DocumentError`` of a ``ProblemError`` if it is about a support, else None."""
-    supports = {place_of(support): support for support in cable.Supports}
-    if (support := supports.get(error.field)) is not None:
-        return wrong(cable, "Supports", f"{support.Label} {error.message}.")
-    place, _, field = error.field.rpartition(".")
-    if (support := supports.get(place)) is None:
-        return None
-    name = IN_SUPPORT[field.partition("[")[0]]
-    return wrong(cable, "Supports", f"{support.Label}, {name}, {error.message}.")
 
 
 def _linked(cable):

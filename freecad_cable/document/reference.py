@@ -117,6 +117,12 @@ def based_beside(referrer, pair):
     return way[0][1], ".".join([*(name for name, _ in way[1:]), element])
 
 
+def from_the_top(obj):
+    """The pair that leads to ``obj`` from the top of its document."""
+    root, *down = *_containers(obj), obj
+    return root, "".join(f"{step.Name}." for step in down)
+
+
 def find(pair) -> Found:
     """Follow a pair. Errors: ``DocumentError`` saying what is missing."""
     root, path = pair

@@ -12,12 +12,16 @@ from ..result import Solution
 from ..shape.units import from_si, vector_from_si
 from ..status import Status
 from .cable_type import doubts
+from .complaint import OBSTACLE, in_words
 from .property_table import Prop
 
 TABLE = tuple(
     Prop(name, kind, "Result", text, result=True)
     for name, kind, text in (
         ("SolvedLength", "Length", "Length of the unloaded cable"),
+        ("ShortestLength", "Length", "Shortest length that keeps bend radius and clearance"),
+        ("LongestLength", "Length", "Longest length that keeps bend radius and clearance"),
+        ("LengthLimits", "StringList", "What forbids shorter and longer lengths, and where"),
         ("SmallestBendRadius", "Distance", "Smallest bend radius of the centreline"),
         (
             "SmallestBendRadiusAt",
@@ -27,7 +31,12 @@ TABLE = tuple(
         (
             "BendRadiusMargin",
             "Distance",
-            "Smallest bend radius of the centreline less the smallest one allowed",
+            "Smallest bend radius less the smallest one that the cable type allows; negative if it is violated",
+        ),
+        (
+            "FormedPlaces",
+            "StringList",
+            "Where the cable must be formed to keep the enforced bend radius, and with what moment",
         ),
         ("StartForce", "Vector", "Force of the connector at the start on the cable, in N"),
         ("StartMoment", "Vector", "Moment of the connector at the start on the cable, in N m"),
@@ -43,6 +52,13 @@ TABLE = tuple(
             "VectorList",
             "Moments of the supports on the cable, in their order, in N m",
         ),
+        ("ContactForces", "VectorList", "Forces of the obstacles on the cable, in N"),
+        (
+            "ContactPlaces",
+            "FloatList",
+            "Where they act: distances from the start, along the cable, in mm",
+        ),
+        ("ContactObstacles", "StringList", "What exerts them"),
         (
             "SmallestClearance",
             "Distance",
@@ -79,12 +95,15 @@ def write(cable, solution: Solution):
     cable.SmallestBendRadius = from_si("length", radius)
     cable.SmallestBendRadiusAt = from_si("length", place)
     cable.BendRadiusMargin = from_si("length", radius - (rod.min_bend_radius or 0.0))
+    cable.FormedPlaces = [_formed(piece) for piece in solution.formed]
+    _write_lengths(cable, solution.feasible_lengths)
     for name, load in (("Start", solution.start_reaction), ("End", solution.end_reaction)):
         setattr(cable, f"{name}Force", Vector(*load.force.tolist()))
         setattr(cable, f"{name}Moment", Vector(*load.moment.tolist()))
     reactions = solution.support_reactions
     cable.SupportForces = [Vector(*load.force.tolist()) for load in reactions]
     cable.SupportMoments = [Vector(*load.moment.tolist()) for load in reactions]
+    _write_contacts(cable, solution)
     clearance = solution.min_clearance
     cable.SmallestClearance = math.inf if clearance is None else from_si("length", clearance)
     cable.ElasticEnergy = energy.bending + energy.torsion + energy.stretch
@@ -104,15 +123,49 @@ def write(cable, solution: Solution):
 
 def write_status(cable):
     """That it is solved, and warnings that do not make the shape wrong."""
-    sentences = [Status.CONVERGED.value, *doubts(cable.CableType)]
-    if cable.BendRadiusMargin.Value < 0:
-        limit = cable.SmallestBendRadius - cable.BendRadiusMargin
-        sentences.append(
-            f"Warning: the tightest bend, {cable.SmallestBendRadius.Value:.4g} mm at "
-            f"{cable.SmallestBendRadiusAt.Value:.4g} mm from the start, is tighter than the "
-            f"{limit.Value:.4g} mm that {cable.CableType.Label} allows (at the centreline)."
-        )
+    sentences = [Status.CONVERGED.value, *cable.LengthLimits, *cable.FormedPlaces]
+    sentences += doubts(cable.CableType)
+    # Enforced, it may lack what the mesh leaves between nodes.
+    if cable.BendRadiusMode == "Check" and cable.BendRadiusMargin.Value < 0:
+        sentences.append(_too_tight(cable))
     cable.Status = " ".join(sentences)
+
+
+def _too_tight(cable):
+    kind, radius = cable.CableType, cable.SmallestBendRadius.Value
+    inside = kind.BendRadiusConvention == "Inside"
+    if inside:
+        radius -= kind.OuterDiameter.Value / 2
+    limit = radius - cable.BendRadiusMargin.Value
+    return (
+        f"Warning: the tightest bend, {radius:.4g} mm at {cable.SmallestBendRadiusAt.Value:.4g} mm from the start, is "
+        f"tighter than the {limit:.4g} mm that {kind.Label} allows "
+        f"({'at the inside of the bend' if inside else 'at the centreline'})."
+    )
+
+
+def _write_lengths(cable, bounds):
+    """What the length may be, if it was asked for."""
+    shortest, longest = (from_si("length", bound.length) for bound in bounds) if bounds else (0, 0)
+    cable.ShortestLength, cable.LongestLength = shortest, longest
+    cable.LengthLimits = [in_words(cable, bound.sentence) for bound in bounds or ()]
+
+
+def _write_contacts(cable, solution):
+    contacts, obstacles = solution.contacts, solution.scene.obstacles
+    cable.ContactForces = [Vector(*contact.force.tolist()) for contact in contacts]
+    cable.ContactPlaces = [from_si("length", contact.arc_length) for contact in contacts]
+    cable.ContactObstacles = [
+        obstacles[contact.obstacle].place.removeprefix(OBSTACLE) for contact in contacts
+    ]
+
+
+def _formed(piece):
+    start, end = (from_si("length", s) for s in (piece.start, piece.end))
+    return (
+        f"From {start:.4g} mm to {end:.4g} mm it keeps its bend radius only if it is formed there, with a moment of "
+        f"{piece.moment:.3g} N m."
+    )
 
 
 def _centre(solution):

@@ -2,11 +2,12 @@
 """A comparison curve without mechanics, beside the cable."""
 
 from contextlib import suppress
+from dataclasses import replace
 
 import Part
 from FreeCAD import Placement, Vector
 
-from ..errors import CableError, ProblemError
+from ..errors import CableError, DocumentError, ProblemError
 from ..routes import METHODS, compare, inputs
 from ..shape.units import from_si, to_si, vectors_from_si
 from .child import CABLE, Child
@@ -85,7 +86,7 @@ class Route(Child):
 
     def _draw(self, obj, cable):
         """Shape, length and bend radius, unless they stand: few routes depend on the length of the cable."""
-        scene = read_held(cable)
+        scene = _scene(cable, obj.Method)
         drawn = fingerprint(inputs(obj.Method, scene))
         if not obj.Placement.isIdentity():
             obj.Placement = Placement()
@@ -100,6 +101,17 @@ class Route(Child):
         obj.SmallestBendRadius = from_si("length", route.smallest_bend_radius)
         obj.SmallestBendRadiusAt = from_si("length", route.smallest_bend_radius_at)
         obj.DrawnInputs = drawn
+
+
+def _scene(cable, method):
+    """With the length that was found, where it is what the cable asks for."""
+    scene = read_held(cable)
+    if not scene.asks_length:
+        return scene
+    length = to_si("length", cable.SolvedLength)
+    if not length and method == "Catenary":
+        raise DocumentError(cable.Status)
+    return replace(scene, rod=replace(scene.rod, length=length or scene.rod.length))
 
 
 def _wire(route):

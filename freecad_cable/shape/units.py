@@ -5,6 +5,8 @@ FreeCAD computes in mm, kg, s: a force is in mN, a pressure in kPa, a density in
 computes in m, kg, s.
 """
 
+import re
+
 import FreeCAD
 import numpy as np
 
@@ -21,6 +23,9 @@ FREECAD_PER_SI = {
     "stiffness": 1e9,  # EI, GJ: kg mm³/s²
 }
 """What one SI unit of each kind of quantity is in FreeCAD's internal unit."""
+
+METRES = re.compile(r"(?<![\w.])([-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?) m(?![\w²³/·*^])")
+"""A length in a sentence; not an acceleration, a moment or a volume."""
 
 
 def to_si(kind, value):
@@ -63,3 +68,17 @@ def placement_from_si(position, quaternion):
     """The placement at ``position`` (3,) [m] turned by ``quaternion`` (4,), scalar first."""
     w, x, y, z = np.asarray(quaternion, float).tolist()
     return FreeCAD.Placement(vector_from_si(position), FreeCAD.Rotation(x, y, z, w))
+
+
+def sentence_from_si(sentence, leave=()):
+    """``sentence`` with its lengths in mm; what it says literally of ``leave``, names given by a user, stays."""
+    names = sorted(filter(METRES.search, leave), key=len, reverse=True)
+    either = re.compile("|".join([*(f"({re.escape(name)})" for name in names), METRES.pattern]))
+
+    def changed(match):
+        metres = match.groups()[-1]
+        if metres is None:
+            return match.group()
+        return f"{from_si('length', float(metres.replace('−', '-'))):.9g} mm"
+
+    return either.sub(changed, sentence)
