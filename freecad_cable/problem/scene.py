@@ -13,6 +13,10 @@ from .reach import check_reach
 from .rod import Rod
 
 
+MOST_SUPPORTS = 200
+"""Every support takes eight elements at least; more of them were never tried."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Scene:
     """A cable problem. Errors: ``ProblemError`` for values that contradict each other."""
@@ -38,6 +42,11 @@ class Scene:
         object.__setattr__(self, "gravity", vector("gravity", self.gravity))
         object.__setattr__(self, "supports", tuple(self.supports))
         object.__setattr__(self, "obstacles", tuple(self.obstacles))
+        if len(self.supports) > MOST_SUPPORTS:
+            raise ProblemError(
+                "supports",
+                f"are {len(self.supports)}; at most {MOST_SUPPORTS} can be solved in one cable, so divide it at a clamp",
+            )
         number("clearance", self.clearance, at_least=0, unit="m")
         if self.enforce_bend_radius and self.rod.min_bend_radius is None:
             raise ProblemError(
