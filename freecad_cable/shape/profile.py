@@ -79,6 +79,15 @@ def profile(shape) -> Profile:
     )
 
 
+CROSSED = "The profile crosses or touches itself, so it bounds no section."
+
+
+def _touch(wires):
+    return any(
+        one.distToShape(other)[0] < 1e-6 for i, one in enumerate(wires) for other in wires[:i]
+    )
+
+
 def _face(shape):
     """The one face of the profile."""
     box = shape.BoundBox
@@ -101,13 +110,15 @@ def _face(shape):
         if not all(wire.isClosed() for wire in wires):
             raise DocumentError("The profile is not closed; its edges must form closed outlines.")
         faces = Part.makeFace(Part.makeCompound(wires), "Part::FaceMakerBullseye").Faces
+        if len(faces) > len(wires) or _touch(wires):
+            raise DocumentError(CROSSED)
         if len(faces) != 1:
             raise DocumentError(
                 f"The profile has {len(faces)} separate parts; it must have one (holes are allowed)."
             )
         face = faces[0]
     if not (face.isValid() and face.Area > 0):
-        raise DocumentError("The profile crosses or touches itself, so it bounds no section.")
+        raise DocumentError(CROSSED)
     return face
 
 

@@ -39,8 +39,8 @@ class TestSixCurves(unittest.TestCase):
         again = self.through_step(solid)
         self.assertEqual(again.ShapeType, "Solid")
         self.assertTrue(again.isValid())
-        # STEP keeps 15 digits; the volume is a sum of some 10⁴ terms of them.
-        self.assertAlmostEqual(again.Volume / solid.Volume, 1, delta=1e-10)
+        # STEP keeps 15 digits, but FreeCAD 1.0 integrates the surface that it has read to some 10⁻⁷ only.
+        self.assertAlmostEqual(again.Volume / solid.Volume, 1, delta=1e-6)
 
     def through_step(self, solid):
         with tempfile.TemporaryDirectory() as folder:
