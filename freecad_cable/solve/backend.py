@@ -28,6 +28,15 @@ BARRIER = 1e-5
 """First barrier parameter where obstacles are near. The default of 0.1 pushes a cable away from all of them as hard as
 it resists bending, and loses the start."""
 
+WITHOUT_HANGING = {
+    "linsol_lu_fact_tol": 1e-4,
+    "linsol_increased_accuracy": False,
+    "watchdog_shortened_iter_trigger": 0,
+}
+"""fatrop 1.1.8 corrects a matrix that is not positive definite without a limit. Its defaults brought it there in two
+ways, and no time limit ends that: a condition of a support eliminated by one strain, on which it hardly depends (the
+pivot is about h²; below 1e-4 it is left to the element before), and trial steps of the watchdog to nodes at 1e40."""
+
 RUNAWAY = 1e6
 """Positions in lengths, or strains per length, that no cable has."""
 
@@ -73,11 +82,10 @@ def built(structure: Structure, name: str, near: bool = False):
                 "print_level": 0,
                 "tol": TOLERANCE,
                 "max_iter": ITERATIONS,
-                # With it fatrop was seen to correct its matrix without end at supports that slide.
-                "linsol_increased_accuracy": False,
-            }
-            | ({"mu_init": BARRIER} if structure.contacts else {})
-            | (NEAR if near else {}),
+                **WITHOUT_HANGING,
+                **({"mu_init": BARRIER} if structure.contacts else {}),
+                **(NEAR if near else {}),
+            },
         }
     else:
         options["ipopt"] = {
