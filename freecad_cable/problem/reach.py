@@ -114,10 +114,13 @@ def _check_between(held, scene):
     elif (first.place, last.place) == ("start", "end"):
         message = f"the way through its supports is {needed:.6g} m"
     else:
+        apart = f"they are {needed:.6g} m apart"
+        if len(held) > 2:
+            apart = f"the way through the supports between them is {needed:.6g} m"
         raise ProblemError(
             f"{last.place}.arc_length" if last.place != "end" else f"{first.place}.arc_length",
-            f"leaves {there:.6g} m of cable between {first.place} and {last.place}, "
-            f"but they are {needed:.6g} m apart; the shortest possible is {needed:.6g} m",
+            f"leaves {there:.6g} m of cable between {first.place} and {last.place}, but {apart}; "
+            f"the shortest possible is {needed:.6g} m",
         )
     raise ProblemError(
         "cable.length",

@@ -12,7 +12,7 @@ from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
-from freecad_cable.problem import Clamp, Clamped, Free, Ring, Rod, Scene, Sleeve
+from freecad_cable.problem import Clamp, Clamped, Free, Pinned, Ring, Rod, Scene, Sleeve
 from freecad_cable.status import Status
 
 ALONG = rotation.from_tangent([1.0, 0, 0])
@@ -103,16 +103,15 @@ def test_a_free_tail_that_hangs_out_of_a_sliding_support(first, last, kind):
     assert np.abs(tail - straight).max() < NEAR
 
 
-@pytest.mark.parametrize("weight", [0.0, 20.0])
 @pytest.mark.parametrize("kind", ["ring", "sleeve", "clamp"])
-def test_sliding_finds_the_arc_length_with_the_least_energy(kind, weight):
+def test_sliding_finds_the_arc_length_with_the_least_energy(kind):
     place = [0.35, 0.02, 0.12]
     held = {
         "ring": Ring(place, [1, 0.1, 0], 0.001),
         "sleeve": Sleeve(place, [1, 0.1, 0]),
         "clamp": Clamp(place, rotation.from_tangent([1, 0.1, 0])),
     }[kind]
-    scene = plane_scene([held], Clamped([0.8, 0, 0], ALONG), weight, tolerance=1e-6)
+    scene = plane_scene([held], Clamped([0.8, 0, 0], ALONG), 20.0, elements=32)
     free = find_equilibrium(scene).raise_for_status()
     found = float(free.arc_length[free.support_nodes[0]])
 
@@ -122,9 +121,9 @@ def test_sliding_finds_the_arc_length_with_the_least_energy(kind, weight):
         return find_equilibrium(given, start=free).raise_for_status().energy.total
 
     least = minimize_scalar(energy, bounds=(found - 0.004, found + 0.004), options={"xatol": 1e-5})
-    # Energies within the 1e-8 that a tolerance of 1e-6 leaves, at a curvature above 10, are 1e-4 of length apart.
-    assert least.x == pytest.approx(found, abs=1e-4)
-    assert least.fun == pytest.approx(free.energy.total, rel=1e-5)
+    # Of the same discrete energy; the scan stops within its own 1e-5.
+    assert least.x == pytest.approx(found, abs=2e-5)
+    assert least.fun == pytest.approx(free.energy.total, rel=1e-6)
 
 
 def test_a_plane_cable_through_an_eyelet_as_scipy_sees_it():
@@ -187,13 +186,20 @@ def test_order(scheme):
 
     def solve(elements, scheme=scheme):
         options = SolveOptions(elements=elements, scheme=scheme)
-        solution = find_equilibrium(replace(scene, options=options)).raise_for_status()
+        return find_equilibrium(replace(scene, options=options)).raise_for_status()
+
+    def read(solution):
         return np.array([solution.arc_length[solution.support_nodes[0]], solution.energy.total])
 
-    exact = solve(256, "magnus")
-    errors = [np.abs(solve(elements) - exact) for elements in (16, 32, 64)]
+    exact = solve(128, "magnus")
+    found = [solve(elements) for elements in (16, 32, 64)]
+    errors = [np.abs(read(solution) - read(exact)) for solution in found]
     order = {"helix": 2, "magnus": 4}[scheme]
     assert -np.diff(np.log2(errors), axis=0) == pytest.approx(order, abs=0.4)
+    # The estimate is one Newton step, right up to its square and to what its Runge-Kutta steps leave; nodes are
+    # compared at the same share of a stretch.
+    away = np.linalg.norm(found[1].position - exact.position[::4], axis=1).max()
+    assert found[1].position_error == pytest.approx(away, rel=0.2)
 
 
 def test_both_solvers_agree():
@@ -209,13 +215,11 @@ def test_both_solvers_agree():
 
 
 def test_a_cable_that_slides_out_is_named():
-    """Weight along a straight cable pulls it through a sleeve, away from nothing that holds it."""
-    sleeve = Sleeve([0.2, 0, 0], [1, 0, 0], place="supports[0]")
-    scene = replace(
-        plane_scene([sleeve], Clamped([0.8, 0, 0], ALONG), weight=100.0),
-        start=Free(place="start"),
-        gravity=[9.81, 0, 0],
-    )
+    """A heavy one that hangs from its start over a ring: no catenary of span 0.3 pulls its end with less than 0.754 · 0.3 w
+    (Irvine), and the tail of 0.1 at most holds 0.1 w."""
+    ring = Ring([0.3, 0, 0], [1, 0, 0], 0.001, place="supports[0]")
+    scene = plane_scene([ring], weight=1e4, length=0.4)
+    scene = replace(scene, start=Pinned([0, 0, 0], place="start"))
     solution = find_equilibrium(scene)
     assert solution.status is Status.NOT_CONVERGED
     assert "slides through supports[0]" in solution.message
