@@ -215,8 +215,8 @@ def test_both_solvers_agree():
 
 
 def test_a_cable_that_slides_out_is_named():
-    """A heavy one that hangs from its start over a ring: no catenary of span 0.3 pulls its end with less than 0.754 · 0.3 w
-    (Irvine), and the tail of 0.1 at most holds 0.1 w."""
+    """A heavy one that hangs from its start over a ring: no catenary of span 0.3 pulls its end with less than
+    0.754 · 0.3 w (Irvine), and its tail of 0.1 at most holds 0.1 w."""
     ring = Ring([0.3, 0, 0], [1, 0, 0], 0.001, place="supports[0]")
     scene = plane_scene([ring], weight=1e4, length=0.4)
     scene = replace(scene, start=Pinned([0, 0, 0], place="start"))
