@@ -12,7 +12,6 @@ from .ends import End, Free, Pinned
 from .reach import check_reach
 from .rod import Rod
 
-
 MOST_SUPPORTS = 200
 """Every support takes eight elements at least; more of them were never tried."""
 
