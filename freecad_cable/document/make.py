@@ -18,6 +18,7 @@ from .material_card import read_card
 from .proxy import proxy_of
 from .reference import based_beside, container, pairs
 from .route import Route
+from .stored_solution import nearest_node
 from .support import Clamp, Clip, Ring, Sleeve, Support
 from .terminal import Terminal
 
@@ -110,11 +111,7 @@ def cable(
             f"The cable type is {_said(cable_type)}; make one with make.cable_type."
         )
     supports, obstacles = list(supports), pairs(obstacles)
-    for support in supports:
-        if proxy_of(support, Support) is None:
-            raise DocumentError(
-                f"A support is {_said(support)}; it must be a clamp, sleeve, ring or clip."
-            )
+    _check_supports(supports)
     inside = container(start)
     with _made(doc, "Part::FeaturePython", "Cable", Cable, inside) as obj:
         obj.LengthMode = "Fixed" if length is not None else "Slack"
@@ -126,6 +123,18 @@ def cable(
             line.Cable = obj
         obj.Centreline = line
     return obj
+
+
+def hold(cable, support):
+    """Put a support among those of a cable, where it is nearest to the cable on its way as it is now."""
+    if proxy_of(cable, Cable) is None:
+        raise DocumentError(f"The cable is {_said(cable)}; it must be a cable.")
+    _check_supports([support])
+    support.recompute()
+    *nodes, here = (nearest_node(cable, each.Frame.Base) for each in (*cable.Supports, support))
+    order = list(cable.Supports)
+    order.insert(sum(node <= here for node in nodes), support)
+    cable.Supports = order
 
 
 def route(doc, cable, *, method="Spline"):
@@ -142,6 +151,14 @@ def _support(doc, kind, reference, position, inside, properties):
     if position is not None:
         properties = {"slides": False, "position": position} | properties
     return _attached(doc, kind, reference, inside, properties)
+
+
+def _check_supports(supports):
+    for support in supports:
+        if proxy_of(support, Support) is None:
+            raise DocumentError(
+                f"A support is {_said(support)}; it must be a clamp, sleeve, ring or clip."
+            )
 
 
 def _attached(doc, kind, reference, inside, properties):

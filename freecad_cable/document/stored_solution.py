@@ -14,6 +14,7 @@ from FreeCAD import Vector
 from ..problem import End, Mesh, Obstacle, Scene, Support
 from ..result import Load, Solution
 from ..shape.nodes import Nodes
+from ..shape.units import vector_to_si
 from ..status import Status
 from .property_table import Prop
 
@@ -105,6 +106,13 @@ def nodes(cable) -> Nodes:
     """What of the stored nodes a shape is made from."""
     arrays = _arrays(cable)
     return Nodes(*(arrays[field.name] for field in fields(Nodes)))
+
+
+def nearest_node(cable, point) -> int:
+    """Index of the node that is nearest to a point [mm]; 0 if there are none."""
+    place = vector_to_si(point)
+    away = [np.linalg.norm(np.array(position) - place) for position in cable.NodePosition]
+    return int(np.argmin(away)) if away else 0
 
 
 def _arrays(cable):

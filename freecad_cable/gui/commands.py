@@ -6,7 +6,7 @@ import FreeCADGui
 
 from ..errors import CableError
 from .icons import icon
-from .selection import picked
+from .selection import has_proxy, picked
 
 
 class Command:
@@ -59,7 +59,8 @@ class CableCommand(Command):
     pixmap = "cable"
 
     def lines(self, picks):
-        ends = [_terminal(p) if p.connector else _existing(p, "Terminal") for p in picks]
+        # In the view, an edge is picked of a terminal too.
+        ends = [_existing(p, "Terminal") or (p.connector and _terminal(p)) for p in picks]
         if len(ends) == 2 and all(ends):
             return [
                 f"start = {ends[0]}",
@@ -69,24 +70,79 @@ class CableCommand(Command):
         return None
 
 
+class SupportCommand(Command):
+    """A support on the picked edge or face, and in its place along a picked cable."""
+
+    def __init__(self, kind, holds):
+        self.kind = kind.lower()
+        self.menu_text = kind
+        self.tooltip = f"{holds} at the selected edge or face, on the way of the cable that is selected with it"
+        self.pixmap = f"cable_{self.kind}"
+
+    def lines(self, picks):
+        cables = [_existing(p, "Cable") for p in picks if _existing(p, "Cable")]
+        places = [p for p in picks if p.connector and not _existing(p, "Cable")]
+        if len(places) != 1 or len(cables) > 1 or len(places) + len(cables) != len(picks):
+            return None
+        reference = f"({_named(places[0].root)}, {places[0].path!r})"
+        # Whoever wants it at a certain length of the cable gives it a position afterwards.
+        made = f"support = make.{self.kind}(App.ActiveDocument, {reference}, slides=True"
+        if not cables:
+            return [f"{made})"]
+        return [
+            f"cable = {cables[0]}",
+            f"{made}, inside=cable.getParentGeoFeatureGroup())",
+            "make.hold(cable, support)",
+        ]
+
+
 class RouteCommand(Command):
     menu_text = "Comparison Route"
     tooltip = "Draws a curve without mechanics beside the selected cable, to compare with"
     pixmap = "cable_route"
 
     def lines(self, picks):
-        cables = [_existing(p, "Cable") for p in picks]
-        if len(cables) == 1 and cables[0]:
-            return [f"make.route(App.ActiveDocument, {cables[0]})"]
-        return None
+        cable = _only_cable(picks)
+        return cable and [f"make.route(App.ActiveDocument, {cable})"]
+
+
+class ShortestCommand(Command):
+    menu_text = "Shortest Length"
+    tooltip = "Gives the selected cable the least length that keeps its bend radius and clearance"
+    pixmap = "cable_shortest"
+
+    def lines(self, picks):
+        cable = _only_cable(picks)
+        return cable and [f"{cable}.LengthMode = 'Shortest'"]
+
+
+class InterferenceCommand(Command):
+    menu_text = "Check All"
+    tooltip = "Lists what the cables come near to: solids and each other, with distances and places"
+    pixmap = "cable_check"
+
+    def lines(self, picks):
+        if not any(has_proxy(obj, "Cable") for obj in FreeCAD.ActiveDocument.Objects):
+            return None
+        return [
+            "from freecad_cable.document import interference",
+            "App.ActiveDocument.recompute()",
+            "rows = interference.report(App.ActiveDocument)",
+            "interference.sheet(App.ActiveDocument, rows)",
+        ]
 
 
 def _terminal(pick):
     return f"make.terminal(App.ActiveDocument, ({_named(pick.root)}, {pick.path!r}))"
 
 
+def _only_cable(picks):
+    """The cable that is picked, alone, or None."""
+    return _existing(picks[0], "Cable") if len(picks) == 1 else None
+
+
 def _existing(pick, proxy):
-    return _named(pick.object) if pick.has_proxy(proxy) else None
+    return _named(pick.object) if has_proxy(pick.object, proxy) else None
 
 
 def _named(obj):
@@ -96,6 +152,12 @@ def _named(obj):
 COMMANDS = {
     "Cable_Terminal": TerminalCommand(),
     "Cable_Cable": CableCommand(),
+    "Cable_Clamp": SupportCommand("Clamp", "Holds a cable and keeps it from twisting"),
+    "Cable_Sleeve": SupportCommand("Sleeve", "Guides a cable in a direction and lets it twist"),
+    "Cable_Ring": SupportCommand("Ring", "Leads a cable through a round hole"),
+    "Cable_Clip": SupportCommand("Clip", "Grips a cable and lets it twist"),
+    "Cable_Shortest": ShortestCommand(),
     "Cable_Route": RouteCommand(),
+    "Cable_Check": InterferenceCommand(),
 }
 """Name in FreeCAD: command, in the order of menu and toolbar."""

@@ -28,9 +28,10 @@ class Picked(NamedTuple):
         """Whether a terminal can sit here."""
         return self.element.startswith(("Edge", "Face"))
 
-    def has_proxy(self, name):
-        """Whether the object picked is one of ours, by the name of its proxy's class."""
-        return type(getattr(self.object, "Proxy", None)).__name__ == name
+
+def has_proxy(obj, name):
+    """Whether an object is one of ours, by the name of its proxy's class."""
+    return type(getattr(obj, "Proxy", None)).__name__ == name
 
 
 def picked():

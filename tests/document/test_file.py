@@ -20,6 +20,8 @@ from freecad_cable.document import cable as cable_module
 from freecad_cable.document import make
 from freecad_cable.document.stored_solution import NODES
 
+ASIDE = Placement(Vector(0, 0, 30), Rotation())
+
 READER = Path(__file__).with_name("reader.py")
 
 
@@ -71,6 +73,31 @@ class FileTest(DocumentTest):
                 obj.touch()
             self.doc.recompute()
             self.assertSame(seen(cable))
+
+    def test_with_supports_and_obstacles(self):
+        """Everything a cable can have, and in a process without CasADi."""
+        plate, edge = self.plate("Plate", (60, 20, 60), (1, 0, 0))
+        self.cable.Supports = [
+            make.ring(self.doc, (plate, edge)),
+            make.clip(self.doc, (plate, edge), position="190 mm", offset=ASIDE),
+        ]
+        self.compute()
+        roof = self.doc.addObject("Part::Box", "Roof")
+        roof.Length = roof.Width = 300
+        # 2 mm lower than the cable reaches.
+        top = 1e3 * max(point.z for point in self.cable.NodePosition) + 3.5
+        roof.Placement.Base = Vector(-90, -150, top - 2)
+        self.cable.Obstacles = roof
+        self.type.MinBendRadius = "10 mm"
+        self.compute()
+        self.assertTrue(self.cable.ContactForces)
+        self.assertEqual(len(self.cable.SupportForces), 2)
+        self.before = seen(self.cable)
+        self.doc.save()
+        observed = self.in_a_fresh_process()
+        self.assertEqual(observed["modules"], [])
+        self.assertSame(observed["opened"])
+        self.assertSame(observed["recomputed"])
 
     def test_quantities_have_their_units_again(self):
         self.reopen()

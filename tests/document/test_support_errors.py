@@ -20,17 +20,17 @@ class ErrorTest(SupportedTest):
         self.compute()
         first.Label, second.Label = "First clip", "Second clip"
         self.cable.Supports = [second, first]
-        self.check("First clip, Position", "0.14 m", "support Second clip", "0.165 m", "in order")
+        self.check("First clip, Position", "140 mm", "support Second clip", "165 mm", "in order")
         first.Position = "165 mm"
-        self.check("First clip, Position", "0.165 m", "in order")
+        self.check("First clip, Position", "165 mm", "in order")
         self.cable.Supports = [first, second]
         first.Position, second.Position = "140 mm", "300 mm"
-        self.check("Second clip, Position", "not on the cable", "0.3 m")
+        self.check("Second clip, Position", "not on the cable", "300 mm")
 
     def test_a_ring_that_is_too_small(self):
         ring = self.support("ring", clearance="7 mm")
-        ring.Label = "Eye"
-        self.check("Eye, Radius", "0.003 m", "0.0035 m", "does not pass")
+        ring.Label = "Eye at 2 m"
+        self.check("Eye at 2 m, Radius", " 3 mm", "3.5 mm", "does not pass")
         ring.Clearance = "6.5 mm"
         self.compute()
 
@@ -46,8 +46,14 @@ class ErrorTest(SupportedTest):
     def test_clamps_too_close_together(self):
         self.support("clamp", position="100 mm").Label = "A.1"
         far = self.support("clamp", position="110 mm")
-        far.Label, far.Offset = "B.2", Placement(Vector(0, 0, 30), Rotation())
-        self.check("B.2, Position", "0.01 m of cable", "support A.1", "0.03 m apart")
+        far.Label, far.Offset = "B at 0.2 m", Placement(Vector(0, 0, 30), Rotation())
+        self.check(
+            "B at 0.2 m, Position",
+            "support B at 0.2 m",
+            "10 mm of cable",
+            "support A.1",
+            "30 mm apart",
+        )
 
     def test_a_support_without_its_part(self):
         made = self.support("ring")

@@ -6,18 +6,21 @@ from unittest import mock
 
 import FreeCAD
 import FreeCADGui
+import Part
 from PySide import QtGui
 
 from freecad_cable.document import make
 from freecad_cable.errors import DocumentError
+from freecad_cable.gui.commands import COMMANDS
 
-TITLES = ["Cable Terminal", "Cable", "Comparison Route"]
+SUPPORTS = ["Clamp", "Sleeve", "Ring", "Clip"]
+TITLES = ["Cable Terminal", "Cable", *SUPPORTS, "Shortest Length", "Comparison Route", "Check All"]
+OF_A_CABLE = ["Shortest Length", "Comparison Route", "Check All"]
 
 
 def active():
     """Titles of the commands that can be used now."""
-    names = ("Cable_Terminal", "Cable_Cable", "Cable_Route")
-    commands = [FreeCADGui.Command.get(name) for name in names]
+    commands = [FreeCADGui.Command.get(name) for name in COMMANDS]
     return [c.getInfo()["menuText"] for c in commands if c.isActive()]
 
 
@@ -79,7 +82,7 @@ class CommandTest(unittest.TestCase):
     def test_what_is_selected_decides_what_can_be_used(self):
         self.assertEqual(active(), [])
         self.select("Unit.Left.Face2")
-        self.assertEqual(active(), ["Cable Terminal"])
+        self.assertEqual(active(), ["Cable Terminal", *SUPPORTS])
         self.select("Unit.Left.Face2", "Unit.Right.Face1")
         self.assertEqual(active(), ["Cable"])
         self.select("Unit.Left.")
@@ -111,7 +114,7 @@ class CommandTest(unittest.TestCase):
         self.assertTrue(cable.isValid(), cable.Status)
         self.assertTrue(cable.Shape.isValid())
         self.select(cable.Name)
-        self.assertEqual(active(), ["Comparison Route"])
+        self.assertEqual(active(), OF_A_CABLE)
         (route,) = self.of("Route", self.run_command("Cable_Route"))
         self.assertTrue(route.Shape.isValid())
 
@@ -120,10 +123,75 @@ class CommandTest(unittest.TestCase):
         for face in ("Unit.Left.Face2", "Unit.Right.Face1"):
             self.select(face)
             ends += self.of("Terminal", self.run_command("Cable_Terminal"))
-        self.select(*(end.Name for end in ends))
+        self.select(f"{ends[0].Name}.Edge1", ends[1].Name)
         self.assertEqual(active(), ["Cable"])
         (cable,) = self.of("Cable", self.run_command("Cable_Cable"))
         self.assertEqual([cable.Start, cable.End], ends)
+
+    def cable(self):
+        """A cable between the plates, beside them in their part."""
+        plates = self.document.Left, self.document.Right
+        ends = [
+            make.terminal(self.document, (plate, face), inside=self.part)
+            for plate, face in zip(plates, ("Face2", "Face1"), strict=True)
+        ]
+        kind = make.cable_type(self.document, "Multi-core cable 7 mm", min_bend_radius="20 mm")
+        cable = make.cable(
+            self.document, start=ends[0], end=ends[1], cable_type=kind, length="240 mm"
+        )
+        self.document.recompute()
+        return cable
+
+    def hole(self, name, x):
+        """A plate across the cable, and its hole as it is picked."""
+        plate = self.document.addObject("Part::Feature", name)
+        hole = Part.makeCylinder(9, 4, FreeCAD.Vector(-2, 0, 0), FreeCAD.Vector(1, 0, 0))
+        plate.Shape = Part.makeBox(2, 60, 60, FreeCAD.Vector(-1, -30, -30)).cut(hole)
+        plate.Placement.Base = FreeCAD.Vector(x, 5, 5)
+        self.part.addObject(plate)
+        edges = enumerate(plate.Shape.Edges, 1)
+        number = next(i for i, edge in edges if isinstance(edge.Curve, Part.Circle))
+        return f"Unit.{name}.Edge{number}"
+
+    def test_supports_alone(self):
+        self.select(self.hole("Plate", 0))
+        for kind in SUPPORTS:
+            (made,) = self.of(kind, self.run_command(f"Cable_{kind}"))
+            self.assertTrue(made.isValid(), made.Status)
+            self.assertLess(made.Placement.Base.distanceToPoint(FreeCAD.Vector(1, 5, 55)), 1.5)
+            self.assertTrue(made.Slides)
+
+    def test_supports_take_their_place_along_the_cable(self):
+        cable = self.cable()
+        for kind, x in (("Ring", 0), ("Sleeve", -60), ("Clip", 50)):
+            self.select(self.hole(f"Plate{kind}", x), f"Unit.{cable.Name}.Face1")
+            self.assertEqual(active(), [*SUPPORTS, "Check All"])
+            (made,) = self.of(kind, self.run_command(f"Cable_{kind}"))
+            self.assertIn(made, cable.Supports)
+        self.assertEqual([o.Name for o in cable.Supports], ["Sleeve", "Ring", "Clip"])
+        self.assertTrue(cable.isValid(), cable.Status)
+
+    def test_the_shortest_length(self):
+        cable = self.cable()
+        self.select(f"Unit.{cable.Name}.")
+        FreeCADGui.runCommand("Cable_Shortest")
+        self.assertEqual(cable.LengthMode, "Shortest")
+        self.assertTrue(cable.isValid(), cable.Status)
+        self.assertLess(cable.SolvedLength.Value, 240)
+        self.assertGreater(cable.SolvedLength.Value, 200)
+        self.document.undo()
+        self.assertEqual(cable.LengthMode, "Fixed")
+
+    def test_check_all(self):
+        cable = self.cable()
+        block = self.document.addObject("Part::Box", "Block")
+        block.Placement.Base = FreeCAD.Vector(-5, 0, 0)
+        self.part.addObject(block)
+        block.Placement.Base.z = min(1e3 * p.z for p in cable.NodePosition) - 5
+        (sheet,) = self.run_command("Cable_Check")
+        self.assertEqual(sheet.TypeId, "Spreadsheet::Sheet")
+        self.assertEqual(sheet.get("A2"), cable.Label)
+        self.assertEqual((sheet.get("B2"), sheet.get("H2")), ("Block", "Interference"))
 
     def test_a_command_that_fails_leaves_nothing_behind(self):
         self.select("Unit.Left.Face2", "Unit.Right.Face1")

@@ -66,3 +66,29 @@ class TestUnits(unittest.TestCase):
             (placement.Rotation.multVec(FreeCAD.Vector(1, 0, 0)) - FreeCAD.Vector(0, 1, 0)).Length,
             1e-15,
         )
+
+
+class SentenceTest(unittest.TestCase):
+    def check(self, before, after, leave=()):
+        self.assertEqual(units.sentence_from_si(before, leave), after)
+
+    def test_lengths_are_in_millimetres(self):
+        self.check("is 0.123456 m, but 1.5e-05 m is", "is 123.456 mm, but 0.015 mm is")
+        self.check("is 1 m; at (0.25 m) or −0.3 m.", "is 1000 mm; at (250 mm) or -300 mm.")
+        self.check("0.120000001 m", "120.000001 mm")
+
+    def test_what_is_no_length_stays(self):
+        for sentence in (
+            "9.81 m/s²",
+            "1e-9 m³",
+            "0.2 N m",
+            "5 mm",
+            "12 m² m",
+            "2 metres",
+            "v1.2 mm",
+        ):
+            self.check(sentence, sentence)
+
+    def test_names_stay(self):
+        self.check("Tube 2 m: 2 m", "Tube 2 m: 2000 mm", ["Tube 2 m", "Tube", "2"])
+        self.check("A 1 m B at 1 m", "A 1 m B at 1000 mm", ["A 1 m", "A 1 m B"])
