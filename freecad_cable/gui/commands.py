@@ -59,8 +59,7 @@ class CableCommand(Command):
     pixmap = "cable"
 
     def lines(self, picks):
-        # In the view, an edge is picked of a terminal too.
-        ends = [_existing(p, "Terminal") or (p.connector and _terminal(p)) for p in picks]
+        ends = [_terminal(p) if p.connector else _existing(p, "Terminal") for p in picks]
         if len(ends) == 2 and all(ends):
             return [
                 f"start = {ends[0]}",
@@ -80,9 +79,9 @@ class SupportCommand(Command):
         self.pixmap = f"cable_{self.kind}"
 
     def lines(self, picks):
-        cables = [_existing(p, "Cable") for p in picks if _existing(p, "Cable")]
-        places = [p for p in picks if p.connector and not _existing(p, "Cable")]
-        if len(places) != 1 or len(cables) > 1 or len(places) + len(cables) != len(picks):
+        places = [p for p in picks if p.connector]
+        cables = [_existing(p, "Cable") for p in picks if not p.connector]
+        if len(places) != 1 or len(cables) > 1 or not all(cables):
             return None
         reference = f"({_named(places[0].root)}, {places[0].path!r})"
         # Whoever wants it at a certain length of the cable gives it a position afterwards.

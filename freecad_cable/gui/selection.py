@@ -25,8 +25,9 @@ class Picked(NamedTuple):
 
     @property
     def connector(self):
-        """Whether a terminal can sit here."""
-        return self.element.startswith(("Edge", "Face"))
+        """Whether a terminal can sit here; in the view, edges and faces of our own objects are picked too."""
+        ours = hasattr(getattr(self.object, "Proxy", None), "TABLE")
+        return self.element.startswith(("Edge", "Face")) and not ours
 
 
 def has_proxy(obj, name):

@@ -136,3 +136,32 @@ class MakeTest(DocumentTest):
         self.check(
             "method is 'Guess'; it must be one of Spline", make.route, self.cable(), method="Guess"
         )
+
+
+class HoldTest(SupportedTest):
+    def test_a_support_takes_its_place_along_the_cable(self):
+        places = {"middle": 0, "late": 25, "early": -25}
+        for place in places:
+            made = make.ring(self.doc, self.hole, offset=Placement(Vector(0, 0, places[place]), TURN))
+            made.Label = place
+            make.hold(self.cable, made)
+        self.assertEqual([o.Label for o in self.cable.Supports], ["early", "middle", "late"])
+        self.compute()
+        # What was put in an order by hand stays.
+        self.cable.Supports = self.cable.Supports[::-1]
+        make.hold(self.cable, make.ring(self.doc, self.hole, offset=Placement(Vector(0, 0, 40), TURN)))
+        self.assertEqual([o.Label for o in self.cable.Supports[:3]], ["late", "middle", "early"])
+
+    def test_along_a_cable_that_is_not_solved_it_is_the_last(self):
+        self.cable.Length = "10 mm"
+        self.cable.NodePosition = []
+        for _ in range(2):
+            make.hold(self.cable, last := make.sleeve(self.doc, self.hole))
+            self.assertIs(self.cable.Supports[-1], last)
+
+    def test_wrong_arguments(self):
+        ring = make.ring(self.doc, self.hole)
+        with self.assertRaisesRegex(DocumentError, "must be a cable"):
+            make.hold(self.part, ring)
+        with self.assertRaisesRegex(DocumentError, "must be a clamp, sleeve, ring or clip"):
+            make.hold(self.cable, self.start)
