@@ -139,7 +139,7 @@ class Cable(Proxy):
             keep(obj, solution)
             results.write(obj, solution)
             obj.SolvedInputs = inputs
-        results.write_status(obj)
+        results.write_status(obj, scene)
         self._sweep(obj, scene, inputs)
 
     def clear(self, obj, sentence):

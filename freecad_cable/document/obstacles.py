@@ -25,6 +25,9 @@ from .stored_solution import nodes
 STRETCH = 1.05
 """By how much more than its length a cable that stretches is taken to reach."""
 
+CROWDED = 0.1
+"""Depth, in radii of the cable, above which it is no longer a matter of rounding."""
+
 SAGITTA = 1 / 20
 """Distance of a tube from the cable that it stands for, as a share of the cable's radius."""
 
@@ -114,6 +117,22 @@ def tube(run) -> Tube:
     count = 2 + int(curve.length() / chord)
     points = [run.placement.multVec(point) for point in curve.discretize(Number=count)]
     return Tube(vectors_to_si(points), radius, place=OBSTACLE + run.label)
+
+
+def crowded(scene) -> list[str]:
+    """Where a cable is held inside another one, which it then leaves by the sharpest of bends, as sentences."""
+    held = [
+        each for each in (scene.start, *scene.supports, scene.end) if not isinstance(each, Free)
+    ]
+    others = [each for each in scene.obstacles if isinstance(each, Tube)]
+    return [
+        f"Warning: at {each.place} it is held {from_si('length', depth):.3g} mm inside "
+        f"{other.place.removeprefix(OBSTACLE)}; two cables do not fit there, so hold one of them beside the other."
+        for each in held
+        for other in others
+        if (depth := scene.rod.radius - other.nearest(each.position[None]).distance[0])
+        > CROWDED * scene.rod.radius
+    ]
 
 
 def _in_reach(found, held):

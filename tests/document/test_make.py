@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a macro calls: defaults, and one sentence for wrong arguments."""
 
-from FreeCAD import Vector
-from scenes import TOP, DocumentTest
+from FreeCAD import Placement, Rotation, Vector
+from scenes import TOP, DocumentTest, SupportedTest
 
 from freecad_cable.document import make
 from freecad_cable.document.reference import container
@@ -142,14 +142,19 @@ class HoldTest(SupportedTest):
     def test_a_support_takes_its_place_along_the_cable(self):
         places = {"middle": 0, "late": 25, "early": -25}
         for place in places:
-            made = make.ring(self.doc, self.hole, offset=Placement(Vector(0, 0, places[place]), TURN))
+            made = make.ring(
+                self.doc, self.hole, offset=Placement(Vector(0, 0, places[place]), Rotation())
+            )
             made.Label = place
             make.hold(self.cable, made)
         self.assertEqual([o.Label for o in self.cable.Supports], ["early", "middle", "late"])
         self.compute()
         # What was put in an order by hand stays.
         self.cable.Supports = self.cable.Supports[::-1]
-        make.hold(self.cable, make.ring(self.doc, self.hole, offset=Placement(Vector(0, 0, 40), TURN)))
+        make.hold(
+            self.cable,
+            make.ring(self.doc, self.hole, offset=Placement(Vector(0, 0, 40), Rotation())),
+        )
         self.assertEqual([o.Label for o in self.cable.Supports[:3]], ["late", "middle", "early"])
 
     def test_along_a_cable_that_is_not_solved_it_is_the_last(self):

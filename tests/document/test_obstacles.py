@@ -148,6 +148,25 @@ class FindingTest(ObstacleTest):
         nodes = np.array([tuple(v) for v in other.NodePosition])
         self.assertLess(tube.nearest(nodes).distance.max(), -0.0035 * (1 - 1 / 20))
 
+    def test_two_cables_held_in_the_same_place(self):
+        """They part as they can, and it is said why they bend so sharply."""
+        other = make.cable(
+            self.doc,
+            start=self.start,
+            end=self.end,
+            cable_type=self.type,
+            length="320 mm",
+            obstacles=self.cable,
+        )
+        self.compute()
+        for place in ("start", "end"):
+            self.assertIn(f"at {place} it is held 7 mm inside {self.cable.Label};", other.Status)
+        self.assertGreater(other.SmallestClearance.Value, -0.01 * 3.5)
+        beside = make.terminal(self.doc, (self.left, TOP), offset=Placement(Vector(0, 8, 0), TURN))
+        other.Start = beside
+        self.compute()
+        self.assertNotIn("at start it is held", other.Status)
+
     def test_clearance(self):
         self.cable.Obstacles, self.cable.Clearance = self.block, "3 mm"
         self.doc.recompute()
