@@ -21,7 +21,7 @@ class ReadmeTest(DocumentTest):
             "other": self.pin("Right", (200, 0, 0)),
             "plate": plate,
             "bracket": bracket,
-            "panel": self.pin("Panel", (160, 60, 40)),
+            "panel": self.pin("Panel", (160, 0, 40)),
         }
         self.doc.recompute()
         edges = {"Edge7": TOP, "Face2": TOP, "Edge15": hole, "Edge3": circle}
