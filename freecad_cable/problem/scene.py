@@ -44,7 +44,7 @@ class Scene:
         if len(self.supports) > MOST_SUPPORTS:
             raise ProblemError(
                 "supports",
-                f"are {len(self.supports)}; at most {MOST_SUPPORTS} can be solved in one cable, so divide it at a clamp",
+                f"are {len(self.supports)}; at most {MOST_SUPPORTS} can be solved; divide the cable at a clamp",
             )
         number("clearance", self.clearance, at_least=0, unit="m")
         if self.enforce_bend_radius and self.rod.min_bend_radius is None:
