@@ -146,7 +146,15 @@ def _nodes(solution, problem):
         solution.force / scaling.force,
         solution.moment / scaling.energy,
         tuple(joints),
+        _contact_error(solution),
     )
+
+
+def _contact_error(solution):
+    """Relative error estimate of an earlier solution in contact."""
+    if not solution.contacts:
+        return None
+    return solution.position_error / solution.arc_length[-1]
 
 
 def _arc_lengths(solution, scene):

@@ -24,9 +24,9 @@ NEAR = {"mu_init": 1e-7, "bound_push": 1e-8}
 """fatrop's options for a start that is nearly the solution: with its usual ones it first pushes the start away from the
 bounds that act (measured: two sliding supports dragged take 4 iterations instead of 14)."""
 
-BARRIER = 1e-5
-"""First barrier parameter where obstacles are near. The default of 0.1 pushes a cable away from all of them as hard as
-it resists bending, and loses the start."""
+NEARBY = {"mu_init": 1e-6, "bound_push": 1e-4}
+"""Where obstacles are near: first barrier parameter, and how far from a bound the start is moved. The defaults of 0.1
+and 0.01 push a cable away from all obstacles as hard as it resists bending, and lose the start (half the iterations)."""
 
 WITHOUT_HANGING = {
     "linsol_lu_fact_tol": 1e-4,
@@ -83,7 +83,7 @@ def built(structure: Structure, name: str, near: bool = False):
                 "tol": TOLERANCE,
                 "max_iter": ITERATIONS,
                 **WITHOUT_HANGING,
-                **({"mu_init": BARRIER} if structure.contacts else {}),
+                **(NEARBY if structure.contacts else {}),
                 **(NEAR if near else {}),
             },
         }

@@ -14,6 +14,7 @@ from ..transcription import contact
 from ..transcription.shape import Shape
 from . import mesh
 from .detours import detours
+from .surroundings import BESIDE, NEAR
 from .trial import Problem, TimeUpError, Trial
 
 PASSES = 12
@@ -73,10 +74,24 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
     """The equilibrium from an earlier one in contact; None if there is none near, or none in contact."""
     if problem.surroundings.between(warm).min(initial=np.inf) > problem.surroundings.radius:
         return None
-    found = _settled(problem, warm)
+    found = _settled(problem, warm, BESIDE)
     if found is None or not found.touches or not found.stable:
         return None
+    if warm.error is not None and not problem.surroundings.deepest(found.shape):
+        error = warm.error * _coarser(found, warm, problem.surroundings)
+        if error <= problem.scene.options.tolerance:
+            return replace(found, measured=error)
     return _gathered(problem, found)
+
+
+def _coarser(trial, warm, around_it) -> float:
+    """How much longer the elements are where contact begins and ends now than the finest were, which are those where it
+    began and ended before: the error goes with them."""
+    steps = trial.shape.steps
+    here = np.searchsorted(trial.shape.arc_length, _places(trial, around_it)).clip(
+        1, len(steps) - 1
+    )
+    return max(1.0, np.maximum(steps[here - 1], steps[here]).max() / warm.steps.min())
 
 
 def _gathered(problem, found):
@@ -90,7 +105,7 @@ def _gathered(problem, found):
             if not places:
                 return replace(found, measured=None)  # touches nothing, so the strong form holds
             start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
-            finer = _settled(problem, start, fallback=True)
+            finer = _settled(problem, start, BESIDE, fallback=True)
             if finer is None:
                 return found
             moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
@@ -118,32 +133,39 @@ def _places(trial, around_it):
     return places
 
 
-def _settled(problem, shape, leaving=False, fallback=False):
-    """Solve on the nodes of ``shape`` until the features are those of the solution. ``fallback``: whether it is worth
-    asking the slower solver too."""
+def _settled(problem, shape, reach=NEAR, leaving=False, fallback=False):
+    """Solve on the nodes of ``shape`` until the features are those of the solution. ``reach``: up to what gap nodes
+    are given features; ``fallback``: whether it is worth asking the slower solver too."""
     around_it = problem.surroundings
     settled = SETTLED * around_it.radius
     for turn in range(PASSES):
-        found = around_it.features(shape, leaving=leaving and turn == 0)
+        found = around_it.features(shape, reach, leaving and turn == 0)
         features, owners = (None, None) if found is None else found
         trial = problem.solve(shape, features=features, fallback=fallback)
         if trial is None:
             return None
         trial = replace(trial, owners=owners)
-        gap = around_it.gaps(trial.shape)
-        if gap.min() > -settled and _staleness(trial, around_it, gap) < settled:
+        which, gap = around_it.gaps(trial.shape, 2 * around_it.keep)
+        if (
+            gap.min(initial=np.inf) > -settled
+            and _staleness(trial, around_it, which, gap) < settled
+        ):
             return trial
         shape = trial.shape
     return None
 
 
-def _staleness(trial, around_it, gap) -> float:
+def _staleness(trial, around_it, which, gap) -> float:
     """Largest difference between the gap to a feature that pushes and the gap to its obstacle."""
     if trial.owners is None:
         return 0.0
     nodes, slots = np.nonzero(np.linalg.norm(trial.contact_forces, axis=2))
-    rows = np.searchsorted(around_it.indices, trial.owners[nodes, slots])
-    features = trial.values["features"][nodes, slots]
-    given = contact.value(trial.shape.position[nodes], features)
-    there = gap[rows, nodes]
-    return float(np.abs(given - there).max(initial=0.0))
+    if not len(nodes):
+        return 0.0
+    owners = trial.owners[nodes, slots]
+    indices = around_it.indices[which]
+    if not np.isin(owners, indices).all():
+        return np.inf
+    given = contact.value(trial.shape.position[nodes], trial.values["features"][nodes, slots])
+    there = gap[np.searchsorted(indices, owners), nodes]
+    return float(np.abs(given - there).max())

@@ -16,13 +16,17 @@ from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
 
 NEAR = 0.3
-"""Gap, in lengths, up to which a feature is given to a node."""
+"""Gap, in lengths, up to which a feature is given to a node that may yet move far."""
+BESIDE = 0.03
+"""The same for a node of a shape that is nearly the answer."""
 MOST = 4
 """Features of a node."""
 PENETRATION = 0.01
 """Depth between nodes, in radii of the cable, that is left."""
 INSIDE = 4
 """Samples of an element between its nodes."""
+FARTHEST = 4.0
+"""Distance, in lengths, beyond which no obstacle in reach is."""
 STRETCH = 1.05
 """By how much more than its length a cable that stretches is taken to reach."""
 
@@ -47,13 +51,23 @@ class Surroundings:
         )
         self.indices = np.flatnonzero(~far)
         self.obstacles = [scene.obstacles[i] for i in self.indices]
+        bounds = np.array([each.bounds for each in self.obstacles]).reshape(-1, 2, 3)
+        self.boxes = (bounds - scaling.origin) / scaling.length
 
-    def nearest(self, points):
-        """Of each obstacle what is nearest to points (m, 3) without units, in the same units."""
-        return [self._scaled(each.nearest(self._world(points))) for each in self.obstacles]
+    def nearest(self, points, within=np.inf):
+        """(which, what): indices of the obstacles that may be ``within`` a distance of one of the points (m, 3), and of
+        each what is nearest to the points; without units."""
+        which = np.flatnonzero(self._at_least(points) <= within)
+        world = self.scaling.origin + points * self.scaling.length
+        return which, [self._scaled(self.obstacles[i].nearest(world)) for i in which]
 
-    def _world(self, points):
-        return self.scaling.origin + points * self.scaling.length
+    def _at_least(self, points):
+        """(obstacles,) lower bounds of their distances from points (m, 3): those of the boxes around them."""
+        if not self.obstacles:
+            return np.zeros(0)
+        low, high = self.boxes[:, None, 0], self.boxes[:, None, 1]
+        away = np.maximum(np.maximum(low - points, points - high), 0.0)
+        return np.sqrt(np.einsum("kmi,kmi->km", away, away).min(axis=1))
 
     def _scaled(self, nearest):
         length = self.scaling.length
@@ -64,10 +78,14 @@ class Surroundings:
             radius=nearest.radius / length,
         )
 
-    def gaps(self, shape: Shape, found=None) -> np.ndarray:
-        """(obstacles, n+1) what is left of the distance to keep; infinite where a node is held inside it, and near
-        such a node: a cable that comes out of a connector begins at its face."""
-        found = self.nearest(shape.position) if found is None else found
+    def gaps(self, shape: Shape, within):
+        """(which, gaps (len(which), n+1)) what is left of the distance to keep, of the obstacles ``within`` a distance;
+        infinite where a node is held inside it, and near such a node: a cable that comes out of a connector begins at
+        its face."""
+        which, found = self.nearest(shape.position, within)
+        return which, self._gaps(shape, found)
+
+    def _gaps(self, shape, found):
         gap = np.array([each.distance for each in found]).reshape(-1, len(shape.position))
         gap = gap - self.keep
         scene = self.scene
@@ -84,20 +102,20 @@ class Surroundings:
 
     def gap(self, point):
         """What is left at a point (3,) of the distance to keep from the nearest obstacle, and its normal (3,)."""
-        found = self.nearest(point[None])
+        _, found = self.nearest(point[None])
         closest = min(found, key=lambda each: each.distance[0])
         return closest.distance[0] - self.keep, closest.normal[0]
 
     def clearance(self, shape: Shape) -> float:
         """Smallest distance between the surfaces of cable and obstacles, without units."""
-        if not self.obstacles:
-            return np.inf
-        return float(self.between(shape).min()) + self.keep - self.radius
+        within, smallest = 2 * self.keep, np.inf
+        while self.obstacles and not smallest <= within and within < 2 * FARTHEST:
+            smallest = float(self.between(shape, within).min()) + self.keep
+            within *= 4
+        return smallest - self.radius
 
     def deepest(self, shape: Shape) -> float:
         """How far the cable enters the distance to keep, without units; 0 if no more than it may."""
-        if not self.obstacles:
-            return 0.0
         depth = -float(self.between(shape).min())
         return depth if depth > PENETRATION * self.radius else 0.0
 
@@ -105,22 +123,22 @@ class Surroundings:
         """Share of the length that is nearer to an obstacle than it may be."""
         return float(shape.steps @ (self.between(shape) < 0))
 
-    def between(self, shape: Shape) -> np.ndarray:
-        """(n,) smallest gap over each element, its inside included."""
-        if not self.obstacles:
-            return np.full(len(shape.steps), np.inf)
+    def between(self, shape: Shape, within=None) -> np.ndarray:
+        """(n,) smallest gap over each element, its inside included; infinite where no obstacle is ``within`` a
+        distance, or twice what is to keep."""
         share = np.arange(INSIDE) / INSIDE
         fine = (shape.arc_length[:-1, None] + shape.steps[:, None] * share).ravel()
-        smallest = self.gaps(shape.on(np.append(fine, shape.arc_length[-1]))).min(axis=0)
-        inner = np.minimum(smallest[:-1].reshape(-1, INSIDE).min(axis=1), smallest[INSIDE::INSIDE])
-        return inner
+        fine = shape.on(np.append(fine, shape.arc_length[-1]))
+        _, gaps = self.gaps(fine, 2 * self.keep if within is None else within)
+        smallest = gaps.min(axis=0, initial=np.inf)
+        return np.minimum(smallest[:-1].reshape(-1, INSIDE).min(axis=1), smallest[INSIDE::INSIDE])
 
-    def features(self, shape: Shape, leaving=False):
-        """(n+1, contacts, 12) of a shape's nodes and which of the scene's obstacles (n+1, contacts)
-        each belongs to, −1 for none; or None."""
-        found = self.nearest(shape.position)
-        gap = self.gaps(shape, found)
-        near = gap < NEAR
+    def features(self, shape: Shape, reach=NEAR, leaving=False):
+        """(n+1, contacts, 12) of a shape's nodes, those nearer than ``reach``, and which of the scene's obstacles
+        (n+1, contacts) each belongs to, −1 for none; or None."""
+        which, found = self.nearest(shape.position, reach + self.keep)
+        gap = self._gaps(shape, found)
+        near = gap < reach
         count = int(near.sum(axis=0).max(initial=0))
         if count == 0:
             return None
@@ -128,7 +146,7 @@ class Surroundings:
         rows = np.array([contact.parameters(each, self.keep) for each in found])
         if leaving:
             for i, each in enumerate(found):
-                self._leave(rows[i], i, each, shape.position, gap[i])
+                self._leave(rows[i], which[i], each, shape.position, gap[i])
         order = np.argsort(gap, axis=0)[:count].T
         nodes = np.arange(len(gap[0]))[:, None]
         if order.shape[1] < count:
@@ -137,7 +155,7 @@ class Surroundings:
         unused = ~near[order, nodes]
         unused[:, 1:] |= order[:, 1:] == order[:, :-1]
         chosen[unused] = contact.NONE
-        return chosen, np.where(unused, -1, self.indices[order])
+        return chosen, np.where(unused, -1, self.indices[which[order]])
 
     def _leave(self, rows, i, nearest, points, gap):
         """Faces for the nodes inside an obstacle, across the direction in which each run of them leaves."""
@@ -152,7 +170,8 @@ class Surroundings:
             out = out / np.linalg.norm(out)
             place = points[run].copy()
             for _ in range(30):
-                distance = self._scaled(self.obstacles[i].nearest(self._world(place))).distance
+                world = self.scaling.origin + place * self.scaling.length
+                distance = self._scaled(self.obstacles[i].nearest(world)).distance
                 if (distance >= 0).all():
                     break
                 place += np.outer(np.maximum(-distance, 0) + 1e-4 * (distance < 0), out)

@@ -39,6 +39,8 @@ class Shape:
     moment: np.ndarray | None = None
     """(n+1, 3)"""
     joints: tuple[Joint, ...] = ()
+    error: float | None = None
+    """of an earlier solution in contact, its estimate"""
 
     @classmethod
     def from_frames(cls, arc_length, position, quaternion, joints=()):
