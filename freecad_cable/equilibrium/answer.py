@@ -12,6 +12,7 @@ from ..result import (
     Solution,
     balance,
     end_violation,
+    self_penetration,
     smallest_bend_radius,
     support_violation,
 )
@@ -42,6 +43,8 @@ def solution(problem, trial) -> Solution:
     )
     depth = problem.surroundings.deepest(shape) * length
     status, message = _verdict(scene, trial, check, violation, depth)
+    if status.success:
+        message += _through_itself(rod, arc_length, position, shape.quaternion)
     return Solution(
         scene=scene,
         status=status,
@@ -78,6 +81,15 @@ def solution(problem, trial) -> Solution:
         kept=(*model.kept, *(["obstacles"] if trial.touches else [])),
         solver=effort(problem, trial),
     )
+
+
+def _through_itself(rod, arc_length, position, quaternion):
+    """A sentence if it does: nothing in the program keeps the cable from it."""
+    found = self_penetration(arc_length, position, quaternion, rod.radius)
+    if found is None or found[0] < 0.01 * rod.radius:
+        return ""
+    depth, here, there = found
+    return f" But it runs through itself at {here:.3g} m and {there:.3g} m, {depth:.2g} m deep."
 
 
 def _balance(rod, weight, scaling, shape, pushes):

@@ -26,7 +26,7 @@ bounds that act (measured: two sliding supports dragged take 4 iterations instea
 
 NEARBY = {"mu_init": 1e-6, "bound_push": 1e-4}
 """Where obstacles are near: first barrier parameter, and how far from a bound the start is moved. The defaults of 0.1
-and 0.01 push a cable away from all obstacles as hard as it resists bending, and lose the start (half the iterations)."""
+and 0.01 push a cable away from all obstacles as hard as it resists bending, and lose the start."""
 
 WITHOUT_HANGING = {
     "linsol_lu_fact_tol": 1e-4,

@@ -24,6 +24,10 @@ SETTLED = 1e-3
 FIRST = 64
 """Elements of the first mesh."""
 MESHES = (96, 96, 128, 128, 192, 256)
+LOST = 0.02
+"""Change from mesh to mesh that is no refinement."""
+NARROWEST = 3e-5
+"""Shortest elements, relative to the length, that nodes gather to; with shorter ones the solvers fail."""
 GATHER = 6.0
 """Factor by which nodes draw nearer, from mesh to mesh, to where contact begins and ends."""
 
@@ -100,7 +104,7 @@ def _gathered(problem, found):
     found, width = replace(found, measured=np.inf), 1 / FIRST
     try:
         for elements in MESHES:
-            width /= GATHER
+            width = max(width / GATHER, NARROWEST)
             places = _places(found, around_it)
             if not places:
                 return replace(found, measured=None)  # touches nothing, so the strong form holds
@@ -110,6 +114,8 @@ def _gathered(problem, found):
                 return found
             moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
             error = float(np.linalg.norm(moved, axis=1).max())
+            if error > LOST and found.measured < LOST:
+                return found  # the finer one has left for another equilibrium
             found = replace(finer, measured=error)
             if error <= tolerance and not around_it.deepest(found.shape):
                 return found

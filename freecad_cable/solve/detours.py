@@ -28,8 +28,10 @@ def detours(problem, trial, elements):
     def on(shape):
         return shape.on(mesh.refined(shape, elements))
 
-    yield on(trial.swayed(SWAY))
-    yield on(trial.swayed(-SWAY))
+    # A mode has no sign of its own: first the way that leads out.
+    both = [trial.swayed(SWAY), trial.swayed(-SWAY)]
+    for shape in sorted(both, key=problem.surroundings.intrusion):
+        yield on(shape)
     if isinstance(problem.scene.start, Free) or isinstance(problem.scene.end, Free):
         yield on(_laid(problem, trial.shape))
     others = [trial.swayed(size) for size in FARTHER]
@@ -40,7 +42,7 @@ def detours(problem, trial, elements):
         for sag in SAGS:
             for axis in axes / np.linalg.norm(axes, axis=1)[:, None]:
                 others.append(guess(problem.scene, problem.scaling, nodes, sag=sag * axis))
-    inside = [problem.surroundings.share_inside(shape) for shape in others]
+    inside = [problem.surroundings.intrusion(shape, False) for shape in others]
     for k in np.argsort(inside, kind="stable")[:MOST]:
         yield on(others[k])
 

@@ -119,9 +119,10 @@ class Surroundings:
         depth = -float(self.between(shape).min())
         return depth if depth > PENETRATION * self.radius else 0.0
 
-    def share_inside(self, shape: Shape) -> float:
-        """Share of the length that is nearer to an obstacle than it may be."""
-        return float(shape.steps @ (self.between(shape) < 0))
+    def intrusion(self, shape: Shape, weighted=True) -> float:
+        """Share of the length that is nearer to an obstacle than it may be, ``weighted`` by how much."""
+        gap = self.between(shape)
+        return float(shape.steps @ np.where(gap < 0, -gap if weighted else 1.0, 0.0))
 
     def between(self, shape: Shape, within=None) -> np.ndarray:
         """(n,) smallest gap over each element, its inside included; infinite where no obstacle is ``within`` a
