@@ -78,7 +78,7 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
     """The equilibrium from an earlier one in contact; None if there is none near, or none in contact."""
     if problem.surroundings.between(warm).min(initial=np.inf) > problem.surroundings.radius:
         return None
-    found = _settled(problem, warm, BESIDE)
+    found = _settled(problem, warm, BESIDE, fallback=warm.error is not None)
     if found is None or not found.touches or not found.stable:
         return None
     if warm.error is not None and not problem.surroundings.deepest(found.shape):

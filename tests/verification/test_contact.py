@@ -124,7 +124,11 @@ def test_drawn_over_a_cylinder(over):
     lift_off = middle - EFFECTIVE * half_angle
     at = lambda s0: np.array([np.interp(s0, s, column) for column in solution.force.T])  # noqa: E731
     caught = np.linalg.norm(at(lift_off + window) - at(lift_off - window))
-    assert caught - 937.5 * window == pytest.approx(69.597054535, rel=3e-2)
+    # The pressure acts on nodes: at either end of the window a node's share of it may be in or out.
+    inside = np.abs(s - lift_off) < window
+    share = 937.5 * np.diff(s)[inside[:-1]].max()
+    assert caught - 937.5 * window == pytest.approx(69.597054535, abs=2 * share)
+    assert 2 * share < 15
 
 
 def test_a_cable_slides_off_the_top_of_a_ball(over):

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a cable runs through itself."""
+
+import numpy as np
+import pytest
+
+from freecad_cable.geometry import rotation
+from freecad_cable.result import self_penetration
+
+RADIUS = 0.01
+
+
+def frames(tangents):
+    return np.array([rotation.from_tangent(tangent) for tangent in tangents])
+
+
+def loop(rise, nodes=81):
+    """A helix of one turn and a quarter, of radius 0.1: nodes (n+1,), (n+1, 3), (n+1, 4), and its rise in a turn."""
+    pitch = rise / (2 * np.pi)
+    angle = np.linspace(0, 2.5 * np.pi, nodes)
+    position = np.column_stack([0.1 * np.cos(angle), 0.1 * np.sin(angle), pitch * angle])
+    tangent = np.column_stack(
+        [-0.1 * np.sin(angle), 0.1 * np.cos(angle), np.full_like(angle, pitch)]
+    )
+    speed = np.hypot(0.1, pitch)
+    return speed * angle, position, frames(tangent / speed), speed
+
+
+@pytest.mark.parametrize("rise", [0.005, 0.015, 0.019])
+def test_depth_and_place(rise):
+    *nodes, speed = loop(rise)
+    depth, here, there = self_penetration(*nodes, RADIUS)
+    # One turn further the helix is ``rise`` higher, and nearest a little before that: the pitch makes it a cosine of
+    # rise/0.2π nearer. Samples a quarter of a radius apart miss up to a 64th of that squared.
+    nearest = rise * np.cos(np.arctan(rise / (0.2 * np.pi)))
+    assert depth == pytest.approx(2 * RADIUS - nearest, abs=RADIUS**2 / 128 / nearest + 1e-6)
+    assert there - here == pytest.approx(2 * np.pi * speed, abs=RADIUS)
+
+
+def test_apart():
+    *nodes, _ = loop(0.0205)
+    assert self_penetration(*nodes, RADIUS) is None
+
+
+def test_a_sharp_bend_is_no_contact():
+    """Parts that follow each other in a bend of the cable's own radius."""
+    angle = np.linspace(0, np.pi, 61)
+    position = RADIUS * np.column_stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)])
+    tangent = np.column_stack([-np.sin(angle), np.cos(angle), np.zeros_like(angle)])
+    nodes = RADIUS * angle, position, frames(tangent)
+    assert self_penetration(*nodes, RADIUS) is None
