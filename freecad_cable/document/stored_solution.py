@@ -105,7 +105,12 @@ def kept(cable, scene: Scene) -> Solution | None:
 def nodes(cable) -> Nodes:
     """What of the stored nodes a shape is made from."""
     arrays = _arrays(cable)
-    return Nodes(*(arrays[field.name] for field in fields(Nodes)))
+    drawn = {field.name: arrays[field.name] for field in fields(Nodes) if field.name in arrays}
+    # Curvature does not jump where a support turns nothing, as a ring.
+    turning = zip(cable.NodeOfSupport, cable.SupportMoments, strict=True)
+    return Nodes(
+        **drawn, support_nodes=tuple(node for node, moment in turning if moment.Length > 0)
+    )
 
 
 def nearest_node(cable, point) -> int:

@@ -12,12 +12,6 @@ from .nodes import in_millimetres
 COARSE = 2.0
 """[rad] Largest turn of the frame between two nodes; there a quintic is within 2·10⁻³ of an arc."""
 
-JUMP = 8.0
-"""Curvature jumps where it changes this many times faster than around it …"""
-
-JUMP_TURN = 0.02
-"""… and the change matters over one piece [rad]."""
-
 
 @dataclass(frozen=True, eq=False)
 class Frames:
@@ -66,13 +60,13 @@ class Frames:
 
 
 def frames(nodes) -> list[Frames]:
-    """The frames of ``nodes`` (``Nodes`` or ``Solution``), in runs that meet where curvature jumps.
+    """The frames of ``nodes`` (``Nodes`` or ``Solution``), in runs that meet at the supports, where curvature may jump.
 
-    At most nodes there is no jump, and for most cables there is one run. The elongation of a stretched rod is
+    The elongation of a stretched rod is
     taken from the distances between the nodes. Errors: ``DocumentError`` if the nodes are missing,
     malformed, too far apart, or contradict each other.
     """
-    s, position, quaternion, curvature = in_millimetres(nodes)
+    s, position, quaternion, curvature, jumps = in_millimetres(nodes)
     step = np.diff(s)
     turn = rotation.logarithm(
         rotation.multiply(rotation.conjugate(quaternion[:-1]), quaternion[1:])
@@ -86,14 +80,14 @@ def frames(nodes) -> list[Frames]:
         )
     mean = turn / step[:, None]
     axes = rotation.matrix(quaternion)
-    ends = [0, *_jumps(step, mean), len(step)]
+    ends = [0, *jumps, len(step)]
     runs, parameter, twist = [], 0.0, 0.0
     for a, b in zip(ends[:-1], ends[1:], strict=True):
         run = slice(a, b + 1)
         local = _at_nodes(step[a:b], mean[a:b])
         if curvature is not None:
-            # A node where curvature jumps has two; which one was given is not known.
-            known = slice(1 if a > 0 else 0, -1 if b < len(step) else None)
+            # A node where curvature jumps has two; given is the one before.
+            known = slice(1 if a > 0 else 0, None)
             local[known] = curvature[run][known]
         runs.append(_run(parameter, twist, s[run], position[run], axes[run], local))
         parameter, twist = runs[-1].parameter[-1], runs[-1].twist[-1]
@@ -124,22 +118,6 @@ def _untwisted(axes, twist):
     cosine, sine = np.cos(twist)[:, None], np.sin(twist)[:, None]
     d1, d2 = axes[:, :, 0], axes[:, :, 1]
     return np.stack([cosine * d1 - sine * d2, sine * d1 + cosine * d2, axes[:, :, 2]], axis=2)
-
-
-def _jumps(step, mean):
-    """Inner nodes where curvature jumps, from its means (m, 3) over the pieces between the nodes.
-
-    There it changes faster than at most of the two nodes before and the two after.
-    """
-    if len(step) < 3:
-        return []
-    change = np.linalg.norm(np.diff(mean, axis=0), axis=1)
-    distance = (step[:-1] + step[1:]) / 2
-    rate = change / distance
-    padded = np.concatenate((2 * [np.inf], rate, 2 * [np.inf]))
-    around = np.sort([padded[:-4], padded[1:-3], padded[3:-1], padded[4:]], axis=0)[1]
-    sudden = rate > JUMP * around
-    return [int(k) + 1 for k in np.flatnonzero(sudden & (change * distance > JUMP_TURN))]
 
 
 def _at_nodes(step, mean):

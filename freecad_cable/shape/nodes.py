@@ -27,10 +27,13 @@ class Nodes:
     """(n, 4) scalar first; R(q) e_i = d_i, d3 the tangent"""
     curvature: np.ndarray | None = None
     """(n, 3) κ1, κ2 and twist, material frame [1/m]; None: from the turn between the nodes"""
+    support_nodes: tuple = ()
+    """where curvature may jump; given is that just before the node"""
 
 
 def in_millimetres(nodes):
-    """Arc length (n,), position (n, 3), unit quaternion (n, 4) and curvature (n, 3) or None, checked.
+    """Arc length (n,), position (n, 3), unit quaternion (n, 4), curvature (n, 3) or None, and the inner nodes where
+    curvature may jump, checked.
 
     Of nodes that coincide one is left. Errors: ``DocumentError`` if the nodes are missing, malformed or
     out of order.
@@ -61,7 +64,9 @@ def in_millimetres(nodes):
     curvature = nodes.curvature
     if curvature is not None:
         curvature = from_si("curvature", _array("curvatures", curvature, (n, 3)))[keep]
-    return s[keep], position[keep], (quaternion / norm[:, None])[keep], curvature
+    near = {int(np.argmin(np.abs(s[keep] - s[node]))) for node in nodes.support_nodes}
+    jumps = sorted(near - {0, len(keep) - 1})
+    return s[keep], position[keep], (quaternion / norm[:, None])[keep], curvature, jumps
 
 
 def _array(name, value, shape):

@@ -204,3 +204,21 @@ class AnswerTest(SupportedTest):
         copy.Supports[0].Reference[0][0].Placement.Base += Vector(0, 5, 0)
         self.compute()
         self.assertEqual(seen(self.cable), before)
+
+
+class ShapeTest(SupportedTest):
+    def test_the_centreline_bends_on_either_side_of_a_sleeve_as_its_moments_say(self):
+        self.part.Placement.Rotation = Rotation(Vector(0, 0, 1), Vector(1, 0.4, 0))
+        self.support("sleeve")
+        self.end.Roll = "180 deg"
+        self.compute()
+        cable, (node,) = self.cable, self.cable.NodeOfSupport
+        curve = cable.Centreline.Shape.Edges[0].Curve
+        at = 1e3 * cable.NodeArcLength[node]
+        before = cable.NodeMoment[node]
+        after = before - cable.SupportMoments[0]
+        axis = curve.tangent(at)[0]
+        for moment, here in ((before, at - 1e-3), (after, at + 1e-3)):
+            # t' = m × t / EI. Beyond a support curvature is extrapolated from the nodes, to second order.
+            bend = moment.cross(axis) / 1.1785881e-3 * 1e-3
+            self.assertNear(curve.getDN(here, 2), bend, 0.03 * bend.Length)

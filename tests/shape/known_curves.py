@@ -15,23 +15,35 @@ RADIUS = 0.004
 def rod(parts, elements) -> Nodes:
     """About ``elements`` elements over ``parts``, (length [m], curvature(s) -> (3,) [1/m]) one after another.
 
-    There is a node at every joint. r' = d3 and q' = q ∘ (0, κ) / 2 by the classical Runge–Kutta
-    method, in steps over which the frame turns by less than 0.01 rad: the error of a step is about
-    0.01⁵/120, that of a cable below 10⁻⁹ rad.
+    There is a node at every joint, where curvature may jump as at a support. r' = d3 and q' = q ∘ (0, κ) / 2 by the
+    classical Runge–Kutta method, in steps over which the frame turns by less than 0.01 rad: the error of a step is
+    about 0.01⁵/120, that of a cable below 10⁻⁹ rad.
     """
     total = sum(length for length, _ in parts)
     arc_length, state, curvatures = [0.0], [np.array([0.0, 0, 0, 1, 0, 0, 0])], []
+    jumps = []
     for length, curvature in parts:
         count = max(1, round(elements * length / total))
         start = arc_length[-1]
         ends = np.linspace(0, length, count + 1)
+        if not curvatures:
+            curvatures.append(curvature(0.0))
+        elif not np.allclose(curvatures[-1], curvature(0.0)):
+            jumps.append(len(state) - 1)
         for a, b in zip(ends[:-1], ends[1:], strict=True):
             state.append(_runge_kutta(state[-1], curvature, a, b))
             arc_length.append(start + b)
-            curvatures.append(curvature(a))
-    curvatures.append(curvature(length))
+            curvatures.append(curvature(b))
     state = np.array(state)
-    return Nodes(np.array(arc_length), state[:, :3], state[:, 3:], np.array(curvatures))
+    return Nodes(
+        np.array(arc_length), state[:, :3], state[:, 3:], np.array(curvatures), tuple(jumps)
+    )
+
+
+def picked(nodes, chosen) -> Nodes:
+    """Some of the nodes of a rod without joints, by index or mask."""
+    arrays = {name: x[chosen] for name, x in vars(nodes).items() if name != "support_nodes"}
+    return Nodes(**arrays)
 
 
 def _runge_kutta(state, curvature, start, end):

@@ -2,7 +2,7 @@
 import unittest
 
 import numpy as np
-from known_curves import RADIUS, Nodes, arc, changed, coil, rod, sag, scaled, straight
+from known_curves import RADIUS, arc, changed, coil, picked, rod, sag, scaled, straight
 from profiles import rectangle
 from test_sweep_round import boolean_check
 
@@ -50,8 +50,8 @@ class TestExtremes(unittest.TestCase):
     def test_nodes_that_all_but_coincide(self):
         near = np.sort(np.concatenate([np.arange(0, 1001, 20), np.arange(301, 321)]))
         fine = sag(1000)
-        self.assert_tube(Nodes(*(x[near] for x in vars(fine).values())))
-        doubled = Nodes(*(np.repeat(x, 2, axis=0) for x in vars(sag()).values()))
+        self.assert_tube(picked(fine, near))
+        doubled = picked(sag(), np.repeat(np.arange(51), 2))
         self.assert_tube(doubled)
 
     def test_noise_in_the_positions(self):

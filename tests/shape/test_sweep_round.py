@@ -58,16 +58,6 @@ class TestSixCurves(unittest.TestCase):
             with self.subTest(name):
                 self.assert_sound(nodes, 1e-5)
 
-    def test_curvature_jumps_between_two_nodes(self):
-        for name, nodes in known_curves.with_jumps().items():
-            kept = np.ones(len(nodes.arc_length), bool)
-            change = np.linalg.norm(np.diff(nodes.curvature, axis=0), axis=1)
-            kept[np.flatnonzero(change > 5) + 1] = False
-            with self.subTest(name):
-                self.assert_sound(
-                    known_curves.Nodes(*(x[kept] for x in vars(nodes).values())), 1e-3
-                )
-
 
 class TestRound(unittest.TestCase):
     def test_the_surface_is_a_tube_about_the_nodes(self):
