@@ -6,8 +6,7 @@ from FreeCAD import Placement
 from ..shape.centreline import centreline_wire
 from .child import CABLE, Child
 from .property_table import Prop
-from .read_scene import read_scene
-from .stored_solution import kept
+from .stored_solution import nodes
 
 
 class Centreline(Child):
@@ -25,6 +24,6 @@ class Centreline(Child):
     def run(self, obj):
         cable = self.solved_cable(obj)
         obj.Placement = Placement()
-        obj.Shape = centreline_wire(kept(cable, read_scene(cable)))
+        obj.Shape = centreline_wire(nodes(cable))
         obj.Length = obj.Shape.Length
         obj.Status = ""
