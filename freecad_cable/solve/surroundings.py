@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..problem import Free, Scene
+from ..problem import Free, Ring, Scene
 from ..problem.surroundings import out_of_reach
 from ..transcription import contact
 from ..transcription.scaling import Scaling
@@ -93,12 +93,22 @@ class Surroundings:
         held += [0] * (not isinstance(scene.start, Free))
         held += [len(shape.position) - 1] * (not isinstance(scene.end, Free))
         allowed = gap.copy()
+        rings = dict(self._rings(shape))
         for node in held:
             away = np.abs(shape.arc_length - shape.arc_length[node])
-            missing = np.maximum(-gap[:, node], 0.0)[:, None]
+            missing = np.maximum(-gap[:, node], 0.0)
+            # What is as near to a ring as its rim is what the ring is in: there the ring is the contact.
+            around = gap[:, node] + self.keep <= rings.get(node, 0.0) * (1 + 1e-6)
+            missing = np.where(around, self.keep, missing)[:, None]
             allowed[(missing > 0) & (away <= 2 * missing + 1e-12)] = np.inf
             allowed[:, node] = np.inf
         return allowed
+
+    def _rings(self, shape):
+        """(node, radius) of the rings."""
+        for support, joint in zip(self.scene.supports, shape.joints, strict=True):
+            if isinstance(support, Ring):
+                yield joint.node, support.radius / self.scaling.length
 
     def gap(self, point):
         """What is left at a point (3,) of the distance to keep from the nearest obstacle, and its normal (3,)."""
