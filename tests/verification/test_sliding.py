@@ -197,8 +197,8 @@ def test_order(scheme):
     errors = [np.abs(read(solution) - read(exact)) for solution in found]
     order = {"helix": 2, "magnus": 4}[scheme]
     assert -np.diff(np.log2(errors), axis=0) == pytest.approx(order, abs=0.4)
-    # The estimate is one Newton step, right up to its square and to what its Runge-Kutta steps leave, and a tenth; nodes are
-    # compared at the same share of a stretch.
+    # The estimate is one Newton step, right up to its square and to what its Runge-Kutta steps leave, and a tenth;
+    # nodes are compared at the same share of a stretch.
     away = np.linalg.norm(found[1].position - exact.position[::4], axis=1).max()
     assert found[1].position_error == pytest.approx(1.1 * away, rel=0.2)
 
