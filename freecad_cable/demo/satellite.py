@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Two bays of a satellite from a STEP file: cables through holes, in P-clips and over what is round, each as short as
+its bend radius and its clearance allow."""
+
+from pathlib import Path
+
+import Import
+from FreeCAD import Placement, Rotation, Vector
+
+from ..document import make
+from .circles import Circles
+from .satellite_wiring import (
+    CLIP_WIDTH,
+    CLIPS,
+    CONNECTORS,
+    HOLES,
+    RIM,
+    RUNS,
+    THICKNESS,
+    TYPES,
+)
+
+TITLE = "Ten cables through two bays of a satellite: the shortest that bend as they may, and the spline routes"
+
+VIEW = -62, 27, 1.12
+"""Azimuth and elevation [degrees] of the viewer, and the size of the picture."""
+
+COLUMNS = 5
+"""of panels in the picture of curvature"""
+
+STEP = Path(__file__).parents[2] / "resources" / "demo" / "satellite.step"
+
+
+def build(document):
+    """Yield the pairs (cable, route), not yet recomputed."""
+    # As a link group, FreeCAD 0.20 crashes on assemblies.
+    Import.insert(str(STEP), document.Name, useLinkGroup=False)
+    satellite = document.getObject("Satellite")
+    circles = Circles(satellite)
+    kinds = {name: make.cable_type(document, name, **given) for name, given in TYPES.items()}
+    ends = {name: _terminal(document, circles, name) for name in CONNECTORS}
+    holds = {name: _ring(document, circles, name) for name in HOLES}
+    holds |= {name: _clip(document, circles, name) for name in CLIPS}
+    for name, run in RUNS.items():
+        cable = make.cable(
+            document,
+            start=ends[run.start],
+            end=ends[run.end],
+            cable_type=kinds[run.type],
+            slack=0.1,
+            supports=[holds[support] for support in run.over],
+            obstacles=_obstacles(satellite),
+            clearance=run.clearance,
+        )
+        cable.Label = name
+        yield cable, make.route(document, cable)
+
+
+def parts(document):
+    """The objects that are not ours."""
+    return [document.getObject("Satellite")]
+
+
+def _obstacles(satellite):
+    """All but the P-clips, which hold the cables."""
+    children = [satellite.getSubObject(name, retType=1) for name in satellite.getSubObjects()]
+    named = zip(satellite.getSubObjects(), children, strict=True)
+    return [(satellite, name) for name, child in named if child.Label != "Clips"]
+
+
+def _terminal(document, circles, name):
+    """A cable is plugged in before its plug is locked, so it turns until it is free of twist."""
+    connector = CONNECTORS[name]
+    reference = circles.reference(connector.centre, connector.radius)
+    return _labelled(make.terminal(document, reference, condition="Swivel"), name)
+
+
+def _ring(document, circles, name):
+    hole = HOLES[name]
+    reference = circles.reference(hole.centre, hole.radius)
+    middle = Placement(Vector(0, 0, -THICKNESS / 2), Rotation())
+    return _labelled(make.ring(document, reference, clearance=RIM, offset=middle), name)
+
+
+def _clip(document, circles, name):
+    """A P-clip lets the cable turn; tightened last, it lets it slide, too."""
+    clip = CLIPS[name]
+    edge = Vector(*clip.centre) + Vector(*clip.direction) * (CLIP_WIDTH / 2)
+    reference = circles.reference(edge, clip.bore)
+    middle = Placement(Vector(0, 0, -CLIP_WIDTH / 2), Rotation())
+    if clip.position is None:
+        return _labelled(make.sleeve(document, reference, offset=middle), name)
+    return _labelled(make.clip(document, reference, position=clip.position, offset=middle), name)
+
+
+def _labelled(obj, label):
+    obj.Label = label
+    return obj
