@@ -28,7 +28,7 @@ CLIP_WIDTH = 10.0
 PLAY = 0.2
 """[mm] between the cable and the bore of a P-clip"""
 
-RIM = 3.0
+RIM = 5.0
 """[mm] that a cable keeps from the edge of a hole"""
 
 
@@ -92,19 +92,17 @@ CONNECTORS = {
     "A3": _plug("Coax", (-190, 115, 154), UP),
     "A4": _plug(BUNDLE, (-230, 140, 154), UP),
     "A5": _plug("Coax", (-106, 78, 90), RIGHT),
-    "A6": _plug("Coax", (-106, 80, 40), RIGHT),
     # computer
-    "B1": _plug("Coax", (-86, -70, 55), RIGHT),
-    "B2": _plug("Coax", (-86, -100, 40), RIGHT),
-    "B3": _plug(BUNDLE, (-86, -140, 50), RIGHT),
-    "B4": _plug("Coax", (-170, -110, 134), UP),
-    "B5": _plug("SpaceWire", (-215, -90, 134), UP),
+    "B1": _plug("Coax", (-86, -90, 40), RIGHT),
+    "B2": _plug(BUNDLE, (-86, -140, 40), RIGHT),
+    "B3": _plug("Coax", (-170, -110, 134), UP),
+    "B4": _plug("SpaceWire", (-215, -90, 134), UP),
     # transponder
-    "C1": _plug("Coax", (156, 100, 45), LEFT),
-    "C2": _plug("SpaceWire", (156, 65, 45), LEFT),
+    "C1": _plug("Coax", (240, 85, 114), UP),
+    "C2": _plug("SpaceWire", (156, 60, 45), LEFT),
     "C3": _plug("Coax", (250, -4, 40), FRONT),
     # gyroscope
-    "D1": _plug(BUNDLE, (286, -125, 30), LEFT),
+    "D1": _plug(BUNDLE, (315, -128, 16), LEFT),
     # receiver
     "E1": _plug("Coax", (156, 145, 206), LEFT),
     "E2": _plug("SpaceWire", (156, 90, 206), LEFT),
@@ -115,23 +113,23 @@ CONNECTORS = {
 }
 
 HOLES = {
-    "H1": Hole((5, 106, 60), WEB, 12),
-    "H2": Hole((5, 160, 90), WEB, 16),
-    "H3": Hole((5, 125, 225), WEB, 12),
-    "H4": Hole((5, 170, 270), WEB, 14),
-    "H5": Hole((5, -60, 35), WEB, 12),
-    "H6": Hole((5, -135, 55), WEB, 14),
-    "H7": Hole((5, -60, 215), WEB, 16),
-    "H8": Hole((90, 80, 180), DECK, 16),
+    "H1": Hole((5, 105, 85), WEB, 14),
+    "H2": Hole((5, 160, 90), WEB, 20),
+    "H3": Hole((5, 125, 225), WEB, 16),
+    "H4": Hole((5, 170, 270), WEB, 18),
+    "H5": Hole((5, -60, 35), WEB, 16),
+    "H6": Hole((5, -135, 25), WEB, 16),
+    "H7": Hole((5, -60, 215), WEB, 18),
+    "H8": Hole((90, 70, 180), DECK, 24),
 }
 
 CLIPS = {
     "P1": Clip((80, 193.5, 105), RIGHT, FRONT, 6.5, 8),
     "P2": Clip((75, 135, 185), RIGHT, UP, 5, 4.3),
     "P3": Clip((120, 193.5, 285), RIGHT, FRONT, 6.5, 7),
-    "P4": Clip((-10, 15, 140), FRONT, LEFT, 5, 4.3, position=130),
+    "P4": Clip((-10, 15, 140), FRONT, LEFT, 5, 4.3, position=150),
     "P5": Clip((110, -45, 5), RIGHT, UP, 5, 4.3),
-    "P6": Clip((195, -130, 6), RIGHT, UP, 6, 7),
+    "P6": Clip((230, -130, 6), RIGHT, UP, 6, 7),
 }
 
 RUNS = {
@@ -139,10 +137,9 @@ RUNS = {
     "W2": Run("A2", "G1", "Power", ("H2", "P1")),
     "W3": Run("C2", "E2", "SpaceWire", ("H8",)),
     "W4": Run("A3", "E1", "Coax", ("H3", "P2")),
-    "W5": Run("B3", "D1", BUNDLE, ("H6", "P6"), clearance=0),
-    "W6": Run("B2", "C3", "Coax", ("H5", "P5")),
-    "W7": Run("A5", "B4", "Coax", ("P4",)),
-    "W8": Run("B5", "E3", "SpaceWire", ("H7",)),
+    "W5": Run("B2", "D1", BUNDLE, ("H6", "P6"), clearance=0),
+    "W6": Run("B1", "C3", "Coax", ("H5", "P5")),
+    "W7": Run("A5", "B3", "Coax", ("P4",)),
+    "W8": Run("B4", "E3", "SpaceWire", ("H7",)),
     "W9": Run("E4", "A4", BUNDLE, ("P3", "H4")),
-    "W10": Run("A6", "B1", "Coax", clearance=0),
 }

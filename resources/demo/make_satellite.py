@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make ``satellite.step``: two bays of a small satellite, plates with holes, units, a heat pipe, a bottle, P-clips.
+"""Make ``satellite.step``: two bays of a small satellite, plates with holes, units, P-clips.
 
     PYTHONPATH=.:resources/demo freecadcmd resources/demo/make_satellite.py
 
@@ -8,7 +8,7 @@ Runs in the folder of the checkout. One product per unit, one solid per part, in
 
 import sys
 
-from solids import box, connectors, pin, turned, unit, write
+from solids import box, connectors, pin, unit, write
 
 # isort: split
 import Part
@@ -29,7 +29,7 @@ BAND = 1.5
 
 
 def with_holes(plate, normal):
-    """A plate with the holes of the wiring list that have this normal, and their rounded rims left sharp."""
+    """A plate with the holes of the wiring list that have this normal."""
     drills = []
     for hole in HOLES.values():
         if hole.normal == normal:
@@ -41,25 +41,12 @@ def with_holes(plate, normal):
 
 def structure():
     """The plates: floor, back, the web between the bays, the deck in the right one."""
-    floor = box((-300, -200, -THICKNESS), (410, 200, 0))
-    screws = [pin(x, y, -THICKNESS, 0, 2.6) for x in range(-285, 400, 97) for y in (-188, 188)]
     return {
-        "Floor": floor.cut(Part.makeCompound(screws)),
+        "Floor": box((-300, -200, -THICKNESS), (410, 200, 0)),
         "Back": box((-300, 200, -THICKNESS), (410, 200 + THICKNESS, 330)),
         "Web": with_holes(box((-5, -200, 0), (5, 200, 330)), WEB),
         "Deck": with_holes(box((5, 20, 180 - THICKNESS), (410, 200, 180)), DECK),
     }
-
-
-def heat_pipe():
-    """A round back on the floor, across the way of a cable."""
-    drum = Part.makeCylinder(50, 90, Vector(75, -180, -5), Vector(0, 1, 0))
-    return {"Back": drum.common(box((0, -200, 0), (200, 200, 100)))}
-
-
-def bottle():
-    outline = [(0, 0), (30, 0), (30, 4), (42, 8), (42, 62), (30, 74), (8, 78), (8, 84), (0, 84)]
-    return {"Bottle": turned(outline)}
 
 
 def moved(solids, placement):
@@ -90,12 +77,11 @@ def at(x, y, z):
 
 UNITS = {
     "Structure": ("", (0, 0, 0), structure()),
-    "Heat pipe": ("", (75, -135, 0), heat_pipe()),
-    "Bottle": ("", (-80, 5, 0), moved(bottle(), at(-80, 5, 0))),
+    "Battery": ("", (115, -135, 0), {"Housing": box((80, -180, 0), (150, -90, 28))}),
     "Power unit": ("A", (-210, 115, 0), unit((-270, 60), (-150, 170), 110)),
     "Computer": ("B", (-195, -110, 0), unit((-260, -170), (-130, -50), 90)),
     "Transponder": ("C", (250, 80, 0), unit((200, 40), (300, 120), 70)),
-    "Gyroscope": ("D", (365, -130, 0), unit((330, -170), (395, -90), 60)),
+    "Gyroscope": ("D", (379, -128, 0), unit((359, -165), (399, -91), 50)),
     "Receiver": ("E", (255, 120, 180), moved(unit((200, 70), (310, 170), 45), at(0, 0, 180))),
     "Filter": (
         "G",
