@@ -2,14 +2,21 @@
 """Two bays of a satellite from a STEP file: cables through holes, in P-clips and over what is round, each as short as
 its bend radius and its clearance allow."""
 
+import math
+from dataclasses import replace
 from pathlib import Path
 
 import Import
 from FreeCAD import Placement, Rotation, Vector
 
 from ..document import make
+from ..document.read_scene import read_scene
+from ..equilibrium import find_equilibrium
+from ..errors import DocumentError
+from ..shape.units import from_si
 from .circles import Circles
 from .satellite_wiring import (
+    CLEARANCE,
     CLIP_WIDTH,
     CLIPS,
     CONNECTORS,
@@ -20,7 +27,7 @@ from .satellite_wiring import (
     TYPES,
 )
 
-TITLE = "Ten cables through two bays of a satellite: the shortest that bend as they may, and the spline routes"
+TITLE = "Nine cables through two bays of a satellite: the shortest that bend as they may, and the spline routes"
 
 VIEW = -62, 27, 1.12
 """Azimuth and elevation [degrees] of the viewer, and the size of the picture."""
@@ -32,7 +39,7 @@ STEP = Path(__file__).parents[2] / "resources" / "demo" / "satellite.step"
 
 
 def build(document):
-    """Yield the pairs (cable, route), not yet recomputed."""
+    """Yield the pairs (cable, route), with the lengths found, not yet recomputed."""
     # As a link group, FreeCAD 0.20 crashes on assemblies.
     Import.insert(str(STEP), document.Name, useLinkGroup=False)
     satellite = document.getObject("Satellite")
@@ -41,6 +48,7 @@ def build(document):
     ends = {name: _terminal(document, circles, name) for name in CONNECTORS}
     holds = {name: _ring(document, circles, name) for name in HOLES}
     holds |= {name: _clip(document, circles, name) for name in CLIPS}
+    document.recompute()
     for name, run in RUNS.items():
         cable = make.cable(
             document,
@@ -49,11 +57,22 @@ def build(document):
             cable_type=kinds[run.type],
             slack=0.1,
             supports=[holds[support] for support in run.over],
-            obstacles=_obstacles(satellite),
-            clearance=run.clearance,
+            obstacles=[_reference(satellite, label) for label in run.lies_on],
         )
         cable.Label = name
+        cable.LengthMode, cable.Length = "Fixed", _shortest(cable)
+        cable.Obstacles = _obstacles(satellite)
+        cable.Clearance = 0 if run.lies_on else CLEARANCE
         yield cable, make.route(document, cable)
+
+
+def _shortest(cable):
+    """Its shortest length [mm], rounded up, as one cuts. Obstacles that a cable does not touch do not change it, and
+    whether it does is seen when it is solved among all of them."""
+    solution = find_equilibrium(replace(read_scene(cable), asks_length=True))
+    if not solution.status.success:
+        raise DocumentError(f"{cable.Label}: {solution.message}")
+    return math.ceil(from_si("length", solution.scene.rod.length))
 
 
 def parts(document):
@@ -63,9 +82,22 @@ def parts(document):
 
 def _obstacles(satellite):
     """All but the P-clips, which hold the cables."""
-    children = [satellite.getSubObject(name, retType=1) for name in satellite.getSubObjects()]
-    named = zip(satellite.getSubObjects(), children, strict=True)
-    return [(satellite, name) for name, child in named if child.Label != "Clips"]
+    names = satellite.getSubObjects()
+    return [(satellite, name) for name in names if _label(satellite, name) != "Clips"]
+
+
+def _reference(satellite, label):
+    """Of a solid of the structure."""
+    for part in satellite.getSubObjects():
+        if _label(satellite, part) == "Structure":
+            for name in satellite.getSubObject(part, retType=1).getSubObjects():
+                if _label(satellite, part + name) == label:
+                    return satellite, part + name
+    raise DocumentError(f"The structure has no {label}.")
+
+
+def _label(satellite, path):
+    return satellite.getSubObject(path, retType=1).Label
 
 
 def _terminal(document, circles, name):

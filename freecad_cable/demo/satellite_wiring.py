@@ -28,8 +28,12 @@ CLIP_WIDTH = 10.0
 PLAY = 0.2
 """[mm] between the cable and the bore of a P-clip"""
 
-RIM = 5.0
+RIM = 7.0
 """[mm] that a cable keeps from the edge of a hole"""
+
+
+CLEARANCE = 1.0
+"""[mm] that a cable keeps from plates and units, unless it lies on one"""
 
 
 @dataclass(frozen=True)
@@ -75,8 +79,8 @@ class Run:
     type: str
     over: tuple = ()
     """holes and clips in order"""
-    clearance: float = 1.0
-    """[mm] to keep from the structure and the units; 0: it may lie on them"""
+    lies_on: tuple = ()
+    """solids of the structure that it may touch; from all others it keeps clear"""
 
 
 def _plug(kind, centre, direction):
@@ -94,7 +98,7 @@ CONNECTORS = {
     "A5": _plug("Coax", (-106, 78, 90), RIGHT),
     # computer
     "B1": _plug("Coax", (-86, -90, 40), RIGHT),
-    "B2": _plug(BUNDLE, (-86, -140, 40), RIGHT),
+    "B2": _plug(BUNDLE, (-175, -148, 134), UP),
     "B3": _plug("Coax", (-170, -110, 134), UP),
     "B4": _plug("SpaceWire", (-215, -90, 134), UP),
     # transponder
@@ -137,7 +141,7 @@ RUNS = {
     "W2": Run("A2", "G1", "Power", ("H2", "P1")),
     "W3": Run("C2", "E2", "SpaceWire", ("H8",)),
     "W4": Run("A3", "E1", "Coax", ("H3", "P2")),
-    "W5": Run("B2", "D1", BUNDLE, ("H6", "P6"), clearance=0),
+    "W5": Run("B2", "D1", BUNDLE, ("H6", "P6"), lies_on=("Floor",)),
     "W6": Run("B1", "C3", "Coax", ("H5", "P5")),
     "W7": Run("A5", "B3", "Coax", ("P4",)),
     "W8": Run("B4", "E3", "SpaceWire", ("H7",)),
