@@ -4,6 +4,7 @@
 Read from the objects of the document, so that what is reported is what the file holds.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -48,10 +49,14 @@ class Comparison:
     difference: float
     """how much longer the spline is"""
     relative_difference: float
-    """[%] of the length of the cable"""
+    """[%] of the length of the spline"""
     radius: float
     """smallest bend radius"""
+    margin: float
+    """``radius`` less ``allowed``"""
     spline_radius: float
+    clearance: float | None
+    """between the surface of the cable and the obstacles in reach; None if there are none"""
     solve_time: float
     """[s]"""
     cable: Line
@@ -60,7 +65,7 @@ class Comparison:
 
 def compare(cable, route):
     """The ``Comparison`` of two objects of a document."""
-    radius = cable.SmallestBendRadius.Value
+    radius, clearance = cable.SmallestBendRadius.Value, cable.SmallestClearance.Value
     return Comparison(
         label=cable.Label,
         type=cable.CableType.Label,
@@ -69,9 +74,11 @@ def compare(cable, route):
         length=cable.SolvedLength.Value,
         spline_length=route.Length.Value,
         difference=route.LengthDifference.Value,
-        relative_difference=100 * route.RelativeLengthDifference,
+        relative_difference=100 * route.LengthDifference.Value / route.Length.Value,
         radius=radius,
+        margin=cable.BendRadiusMargin.Value,
         spline_radius=route.SmallestBendRadius.Value,
+        clearance=clearance if math.isfinite(clearance) else None,
         solve_time=cable.SolveTime,
         cable=Line.of(cable.Centreline.Shape),
         spline=Line.of(route.Shape),

@@ -4,6 +4,7 @@
 import contextlib
 import os
 import sys
+import textwrap
 import time
 from pathlib import Path
 
@@ -12,12 +13,12 @@ import Import
 import Part
 
 from ..errors import CableError, DocumentError
-from . import equipment, table, table_1
+from . import equipment, satellite, table, table_1
 from .appearance import add_appearance
 from .comparison import compare
 from .pictures import picture_curvature, picture_shapes
 
-SCENES = {"table-1": table_1, "equipment": equipment}
+SCENES = {"table-1": table_1, "equipment": equipment, "satellite": satellite}
 """Name of the files: module that builds the document."""
 
 
@@ -63,15 +64,19 @@ def _run(name, folder, say):
     document = FreeCAD.newDocument()
     try:
         comparisons, cables = [], []
+        begin = time.monotonic()
         for cable, route in scene.build(document):
-            begin = time.monotonic()
             document.recompute()
             _check(cable, route)
             comparisons.append(compare(cable, route))
             cables.append(cable)
             say(f"  {cable.Label}: {time.monotonic() - begin:.2f} s. {cable.Status}")
+            begin = time.monotonic()
         say("")
         for line in table.in_words(comparisons):
+            say(f"  {line}")
+        say("")
+        for line in textwrap.wrap(table.claim(comparisons), 100):
             say(f"  {line}")
         say("\n  writing the files")
         return _write(folder / name, scene, document, cables, comparisons)

@@ -3,17 +3,13 @@
 its bend radius and its clearance allow."""
 
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import Import
 from FreeCAD import Placement, Rotation, Vector
 
 from ..document import make
-from ..document.read_scene import read_scene
-from ..equilibrium import find_equilibrium
 from ..errors import DocumentError
-from ..shape.units import from_si
 from .circles import Circles
 from .satellite_wiring import (
     CLEARANCE,
@@ -32,7 +28,7 @@ TITLE = "Nine cables through two bays of a satellite: the shortest that bend as 
 VIEW = -62, 27, 1.12
 """Azimuth and elevation [degrees] of the viewer, and the size of the picture."""
 
-COLUMNS = 5
+COLUMNS = 3
 """of panels in the picture of curvature"""
 
 STEP = Path(__file__).parents[2] / "resources" / "demo" / "satellite.step"
@@ -55,24 +51,24 @@ def build(document):
             start=ends[run.start],
             end=ends[run.end],
             cable_type=kinds[run.type],
-            slack=0.1,
+            length_mode="Shortest",
             supports=[holds[support] for support in run.over],
             obstacles=[_reference(satellite, label) for label in run.lies_on],
         )
         cable.Label = name
-        cable.LengthMode, cable.Length = "Fixed", _shortest(cable)
+        document.recompute()
+        cable.LengthMode, cable.Length = "Fixed", _cut(cable)
         cable.Obstacles = _obstacles(satellite)
         cable.Clearance = 0 if run.lies_on else CLEARANCE
         yield cable, make.route(document, cable)
 
 
-def _shortest(cable):
-    """Its shortest length [mm], rounded up, as one cuts. Obstacles that a cable does not touch do not change it, and
-    whether it does is seen when it is solved among all of them."""
-    solution = find_equilibrium(replace(read_scene(cable), asks_length=True))
-    if not solution.status.success:
-        raise DocumentError(f"{cable.Label}: {solution.message}")
-    return math.ceil(from_si("length", solution.scene.rod.length))
+def _cut(cable):
+    """Its shortest length [mm], rounded up. Obstacles that a cable does not touch do not change it, and whether it does
+    is seen when it is solved among all of them."""
+    if not cable.isValid():
+        raise DocumentError(cable.Status)
+    return math.ceil(cable.ShortestLength.Value)
 
 
 def parts(document):

@@ -16,7 +16,12 @@ class Column:
 
     def cell(self, comparison):
         value = getattr(comparison, self.value)
-        return value if self.decimals is None else f"{value:.{self.decimals}f}"
+        if value is None:
+            return "-"
+        if self.decimals is None:
+            return value
+        # Plus zero: what rounds to nothing has no sign.
+        return f"{round(value, self.decimals) + 0.0:.{self.decimals}f}"
 
 
 COLUMNS = (
@@ -25,10 +30,12 @@ COLUMNS = (
     Column("length", "mm", "length", 1),
     Column("spline length", "mm", "spline_length", 1),
     Column("difference", "mm", "difference", 1),
-    Column("difference", "%", "relative_difference", 1),
+    Column("difference", "% of spline", "relative_difference", 1),
     Column("bend radius", "mm", "radius", 1),
     Column("spline bend radius", "mm", "spline_radius", 1),
     Column("allowed", "mm", "allowed", 2),
+    Column("margin", "mm", "margin", 2),
+    Column("clearance", "mm", "clearance", 1),
     Column("solve time", "s", "solve_time", 3),
 )
 """The form of Table 2 of the paper, see ``table_1``, with bend radii; the difference is spline less cable."""
@@ -53,3 +60,22 @@ def in_words(comparisons):
             for cell, width, column in zip(row, widths, COLUMNS, strict=True)
         )
         yield "  ".join(aligned).rstrip()
+
+
+def claim(comparisons):
+    """The sentence on how much shorter the cables are than the spline routes, with its base."""
+    cables, splines = (sum(getattr(c, of) for c in comparisons) for of in ("length", "spline_length"))
+    share = 100 * (splines - cables) / splines
+    mean = sum(c.relative_difference for c in comparisons) / len(comparisons)
+    shorter = sum(c.difference > 0 for c in comparisons)
+    sharp = sum(c.spline_radius < c.allowed for c in comparisons)
+    return (
+        f"All cables together, {cables:.1f} mm, are {_than(share)} than their spline routes, {splines:.1f} mm; "
+        f"the mean over the cables is {_than(mean)}; each time relative to the splines. "
+        f"{shorter} of {len(comparisons)} cables are shorter than their spline. "
+        f"{sharp} of the splines bend more sharply than allowed, so no cable can follow them."
+    )
+
+
+def _than(share):
+    return f"{abs(share):.1f} % {'shorter' if share > 0 else 'longer'}"
