@@ -76,7 +76,6 @@ def _curve(scene, scaling, arc_length, chain, sag):
     """Position and tangent (n+1, 3): a curve between each two places that hold the cable, and its free ends."""
     weight = scene.weight * scaling.length**3 / np.sqrt(np.prod(scene.rod.bending_stiffness))
     held = waypoints(scene, scaling)
-    chain = hangs(scaling) if chain is None else chain
     pieces = []
     if not isinstance(scene.start, Pinned):
         first = held[0]
@@ -105,7 +104,7 @@ def _between(a, b, arc_length, weight, chain, sag):
     length = b.arc_length - a.arc_length
     length = max(length, float(np.linalg.norm(b.position - a.position)) * (1 + 1e-9))
     sag = weight if sag is None else sag
-    if chain and np.linalg.norm(weight) * length**3 > HEAVY:
+    if np.linalg.norm(weight) * length**3 > HEAVY if chain is None else chain:
         down = sag if sag.any() else perpendicular(b.position - a.position)
         curve = catenary(a.position, b.position, length, down)
     else:
