@@ -49,7 +49,6 @@ def picture():
     look(-20, 72)
     camera = FreeCADGui.activeView().getCameraNode()
     camera.height = 330
-    place = camera.position.getValue()
     save("docs/pictures/satellite-cable.png")
 
 
