@@ -64,7 +64,9 @@ def in_words(comparisons):
 
 def claim(comparisons):
     """The sentence on how much shorter the cables are than the spline routes, with its base."""
-    cables, splines = (sum(getattr(c, of) for c in comparisons) for of in ("length", "spline_length"))
+    cables, splines = (
+        sum(getattr(c, of) for c in comparisons) for of in ("length", "spline_length")
+    )
     share = 100 * (splines - cables) / splines
     mean = sum(c.relative_difference for c in comparisons) / len(comparisons)
     shorter = sum(c.difference > 0 for c in comparisons)

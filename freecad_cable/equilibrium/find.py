@@ -6,7 +6,7 @@ import numpy as np
 from ..errors import ProblemError, SolverMissingError
 from ..geometry import rotation
 from ..problem import Scene
-from ..problem.reduce import reduce
+from ..problem.reduce import reduce, tautness
 from ..result import Solution, is_near
 from ..status import Status
 from . import stretches
@@ -95,17 +95,18 @@ def _problem(scene):
 
 
 def _without_slack(scene):
-    rod = scene.rod
-    if rod.axial_stiffness is not None:
+    """A sentence if an inextensible cable has no slack somewhere."""
+    if scene.rod.axial_stiffness is not None or 1 - tautness(scene) >= NO_SLACK:
         return None
-    if not scene.spans:
-        return None
-    slack = 1 - scene.chord / rod.length
-    if slack >= NO_SLACK:
-        return None
+    if scene.spans and not scene.supports:
+        return (
+            f"cable.length: is {scene.rod.length:.9g} m and the ends are {scene.chord:.9g} m apart, which leaves no "
+            f"slack; an inextensible cable needs at least {scene.chord * (1 + 1e-5):.9g} m, or give it an axial "
+            "stiffness"
+        )
     return (
-        f"cable.length: is {rod.length:.9g} m and the ends are {scene.chord:.9g} m apart, which leaves no "
-        f"slack; an inextensible cable needs at least {scene.chord * (1 + 1e-5):.9g} m, or give it an axial stiffness"
+        "supports: the way through them leaves no slack between two of them; an inextensible cable needs some, or "
+        "give it an axial stiffness"
     )
 
 

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from freecad_cable.errors import NotYetError
 from freecad_cable.geometry import curves, rotation
-from freecad_cable.problem import Clamped, Free, Pinned, Rod, Scene, Swivel
+from freecad_cable.problem import Clamped, Free, Pinned, Ring, Rod, Scene, Sphere, Swivel
 from freecad_cable.reference.catenary import hanging_rod
 from freecad_cable.reference.collocation import NoSolutionError
 from freecad_cable.reference.elastica import cantilever, clamped_elastica, pinned_elastica
@@ -216,9 +216,9 @@ def test_what_it_cannot_do_is_said(monkeypatch):
     state = clamped_elastica(S, 0.5)
     held = scene(ends(state))
     with pytest.raises(NotYetError, match="supports"):
-        equilibrium(replace(held, supports=(object(),)), state)
+        equilibrium(replace(held, supports=(Ring(state.position[10], (1, 0, 0), 0.1),)), state)
     with pytest.raises(NotYetError, match="obstacles"):
-        equilibrium(replace(held, obstacles=(object(),)), state)
+        equilibrium(replace(held, obstacles=(Sphere((9, 9, 9), 0.1),)), state)
     turned = ends(state, "clamped", "swivel")
     turned["end"] = Swivel(state.position[-1], (-1, 0, 0))
     with pytest.raises(NoSolutionError, match="end points against"):
