@@ -22,14 +22,16 @@ def element(scheme: str, kept: tuple[int, ...], slides: bool) -> SimpleNamespace
     (m) at its first and, if the strain is continuous, at its last node; and if the cable slides the length of the
     stretch, of which h is then a share.
 
-    ``motion`` (v, h, stiffness and natural strains and weight) → displacement (3), next quaternion (4), mean position
-    over the element from its node (3), elastic energies (m), length. ``slope`` (r − origin, v, h, …) → gradient of the
+    ``motion`` (v, h, stiffness and natural strains and weight) → displacement (3), next quaternion (4). ``energy`` (v, h,
+    …) → elastic energies (m), mean position over the element from its node (3), length. ``slope`` (r − origin, v, h, …) → gradient of the
     energy over r and v. ``block`` (v, h, …, λ_f, λ of the pose gap) → Hessian of the element's part of the Lagrangian
     over v. ``reach`` (v, h, …) → Jacobian (7, …) of the pose that it reaches, over v.
     """
     law = _Law(SCHEMES[scheme], kept, slides)
     block, reach = law.derivatives()
-    return SimpleNamespace(motion=law.motion(), slope=law.slope(), block=block, reach=reach)
+    return SimpleNamespace(
+        motion=law.motion(), energy=law.energy(), slope=law.slope(), block=block, reach=reach
+    )
 
 
 class _Law:
@@ -67,8 +69,11 @@ class _Law:
         return e[:3], ca.vertcat(e[3], e[4], 1 + e[5])
 
     def motion(self):
-        moved = step(self.q, *self.screw)
-        return ca.Function("motion", self.inputs, [*moved, self.elastic, self.step])
+        return ca.Function("motion", self.inputs, list(step(self.q, *self.screw)[:2]))
+
+    def energy(self):
+        mean = step(self.q, *self.screw)[2]
+        return ca.Function("energy", self.inputs, [self.elastic, mean, self.step])
 
     def slope(self):
         r = ca.SX.sym("r", 3)

@@ -139,7 +139,8 @@ class Writer:
         own, shares = self._take(numbers.element), self.steps.T
         rows = self.gaps[:, None] + np.arange(7)
         lam = ca.reshape(self.multipliers[rows.ravel().tolist()], 7, n)
-        displacement, turned, mean, elastic, lengths = functions.motion.map(n)(own, shares, law)
+        displacement, turned = functions.motion.map(n)(own, shares, law)
+        elastic, mean, lengths = functions.energy.map(n)(own, shares, law)
         places = self._take(numbers.states[:-1, :3])
         following = self._take(numbers.states[1:, :7])
         reached = ca.vertcat(places + displacement, turned)
