@@ -21,7 +21,7 @@ STORED = "demo-output/satellite.FCStd"
 CABLE = "W5"
 """of the close-up"""
 
-SEEN_THROUGH = {"Web": 75, "Deck": 80, "Back": 60, "Floor": 0}
+SEEN_THROUGH = {"Web": 75, "Deck": 80, "Back": 60, "Floor": 50}
 """Transparency of the plates [%]."""
 
 SPLINE = (0.85, 0.1, 0.1)
@@ -38,25 +38,29 @@ def picture():
         if obj.Label in SEEN_THROUGH:
             view.Transparency = SEEN_THROUGH[obj.Label]
         if obj.Name.startswith("Route"):
-            view.LineWidth, view.LineColor = 3, SPLINE
-    look(-28, 62)
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+            view.LineWidth, view.LineColor = 4, SPLINE
+    look(FreeCAD.Vector(55, 0, 158), -28, 62, 640)
     save("docs/pictures/satellite.png")
     for obj in document.Objects:
-        mine = CABLE in (obj.Label, getattr(getattr(obj, "Cable", None), "Label", ""))
-        if obj.Name.startswith(("Cable", "Route")) and not obj.Name.startswith("CableType"):
-            obj.ViewObject.Visibility = mine
-    look(-20, 72)
-    camera = FreeCADGui.activeView().getCameraNode()
-    camera.height = 330
+        if hasattr(obj, "Proxy"):
+            obj.ViewObject.Visibility = obj.Label == CABLE or is_its_route(obj)
+    look(FreeCAD.Vector(52, -140, 68), -14, 74, 300)
     save("docs/pictures/satellite-cable.png")
 
 
-def look(around, tilt):
-    """From above the floor: degrees about the upright axis, and from looking down to looking ahead."""
+def is_its_route(obj):
+    return obj.Name.startswith("Route") and obj.Cable.Label == CABLE
+
+
+def look(at, around, tilt, height):
+    """From above the floor: degrees about the upright axis, and from looking down to looking ahead; the ``height`` [mm]
+    of what is seen around the point ``at``."""
     turn = FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), around)
     view = FreeCADGui.activeView()
     view.setCameraOrientation(turn * FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), tilt))
+    camera = view.getCameraNode()
+    camera.height = height
+    camera.position = tuple(at - view.getViewDirection() * camera.focalDistance.getValue())
 
 
 def save(path):
