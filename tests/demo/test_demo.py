@@ -14,7 +14,7 @@ import numpy as np
 import Part
 from FreeCAD import Vector
 
-from freecad_cable.demo import equipment, harness, main, table, table_1
+from freecad_cable.demo import equipment, harness, main, satellite, table, table_1
 from freecad_cable.demo.comparison import SAMPLES, compare
 from freecad_cable.document.cable import Cable
 from freecad_cable.document.proxy import proxy_of
@@ -22,7 +22,7 @@ from freecad_cable.document.route import Route
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.problem import Clamped, Rod, Scene
 
-CONTENTS = {"table-1": (table_1, 4), "equipment": (equipment, 10)}
+CONTENTS = {"table-1": (table_1, 4), "equipment": (equipment, 10), "satellite": (satellite, 9)}
 """Name of the files: module that builds the document, number of cables."""
 
 
@@ -139,8 +139,10 @@ class DemoTest(unittest.TestCase):
                         "length [mm]": cable.SolvedLength.Value,
                         "spline length [mm]": route.Length.Value,
                         "difference [mm]": route.Length.Value - cable.SolvedLength.Value,
-                        "difference [%]": 100 * (route.Length.Value / cable.SolvedLength.Value - 1),
+                        "difference [% of spline]": 100
+                        * (1 - cable.SolvedLength.Value / route.Length.Value),
                         "bend radius [mm]": cable.SmallestBendRadius.Value,
+                        "margin [mm]": cable.BendRadiusMargin.Value,
                         "spline bend radius [mm]": route.SmallestBendRadius.Value,
                         "solve time [s]": cable.SolveTime,
                     }.items():
