@@ -17,6 +17,9 @@ VIEW = -62, 27, 1.12
 COLUMNS = 5
 """of panels in the picture of curvature"""
 
+SHORTEST = False
+"""Whether the lengths are the answer, so that their sum says something."""
+
 STEP = Path(__file__).parents[2] / "resources" / "demo" / "equipment.step"
 
 

@@ -75,9 +75,10 @@ def _run(name, folder, say):
         say("")
         for line in table.in_words(comparisons):
             say(f"  {line}")
-        say("")
-        for line in textwrap.wrap(table.claim(comparisons), 100):
-            say(f"  {line}")
+        if scene.SHORTEST:
+            say("")
+            for line in textwrap.wrap(table.claim(comparisons), 100):
+                say(f"  {line}")
         say("\n  writing the files")
         return _write(folder / name, scene, document, cables, comparisons)
     finally:

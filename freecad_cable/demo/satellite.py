@@ -31,6 +31,9 @@ VIEW = -62, 27, 1.12
 COLUMNS = 3
 """of panels in the picture of curvature"""
 
+SHORTEST = True
+"""Whether the lengths are the answer, so that their sum says something."""
+
 STEP = Path(__file__).parents[2] / "resources" / "demo" / "satellite.step"
 
 

@@ -75,7 +75,7 @@ def claim(comparisons):
         f"All cables together, {cables:.1f} mm, are {_than(share)} than their spline routes, {splines:.1f} mm; "
         f"the mean over the cables is {_than(mean)}; each time relative to the splines. "
         f"{shorter} of {len(comparisons)} cables are shorter than their spline. "
-        f"{sharp} of the splines bend more sharply than allowed, so no cable can follow them."
+        f"{sharp} of the splines bend more sharply than allowed."
     )
 
 

@@ -21,6 +21,9 @@ VIEW = 35, 15, 0.87
 COLUMNS = 2
 """of panels in the picture of curvature"""
 
+SHORTEST = False
+"""Whether the lengths are the answer, so that their sum says something."""
+
 LENGTHS = (550, 640, 730, 820)
 """[mm]"""
 
