@@ -22,10 +22,10 @@ def element(scheme: str, kept: tuple[int, ...], slides: bool) -> SimpleNamespace
     (m) at its first and, if the strain is continuous, at its last node; and if the cable slides the length of the
     stretch, of which h is then a share.
 
-    ``motion`` (v, h, stiffness and natural strains and weight) → displacement (3), next quaternion (4). ``energy`` (v, h,
-    …) → elastic energies (m), mean position over the element from its node (3), length. ``slope`` (r − origin, v, h, …) → gradient of the
-    energy over r and v. ``block`` (v, h, …, λ_f, λ of the pose gap) → Hessian of the element's part of the Lagrangian
-    over v. ``reach`` (v, h, …) → Jacobian (7, …) of the pose that it reaches, over v.
+    ``motion`` (v, h, stiffness and natural strains and weight) → displacement (3), next quaternion (4). ``energy``
+    (v, h, …) → elastic energies (m), mean position over the element from its node (3), length. ``slope`` (r − origin,
+    v, h, …) → gradient of the energy over r and v. ``block`` (v, h, …, λ_f, λ of the pose gap) → Hessian of the
+    element's part of the Lagrangian over v. ``reach`` (v, h, …) → Jacobian (7, …) of the pose that it reaches, over v.
     """
     law = _Law(SCHEMES[scheme], kept, slides)
     block, reach = law.derivatives()
