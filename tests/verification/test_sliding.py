@@ -52,7 +52,8 @@ def rectangular_elastica(first, last, force):
     EI θ'²/2 = P cos θ, the pendulum let go from the horizontal: with √2 sin(θ/2) = sin φ, m = 1/2 and λ = √(P/EI),
     λ s = F(φ), λ X = 2 E(φ) − F(φ) along −n, λ Z = √2 (1 − cos φ) across.
     """
-    phi = np.arcsin(np.sqrt(2) * np.sin(np.array([first, last]) / 2))
+    # At a right angle the product may exceed one by rounding.
+    phi = np.arcsin(np.minimum(np.sqrt(2) * np.sin(np.array([first, last]) / 2), 1.0))
     rate = np.sqrt(force)
     length = np.diff(ellipkinc(phi, 0.5)) / rate
     along = np.diff(2 * ellipeinc(phi, 0.5) - ellipkinc(phi, 0.5)) / rate
