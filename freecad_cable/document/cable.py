@@ -6,6 +6,7 @@ from FreeCAD import Placement, Vector
 
 from ..equilibrium import find_equilibrium
 from ..errors import CableError, DocumentError, ProblemError
+from ..options import EFFECTS
 from ..shape.centreline import centreline_wire
 from ..shape.profile import profile
 from ..shape.sweep import sweep_profile, sweep_round
@@ -83,6 +84,16 @@ class Cable(Proxy):
             "Cable",
             "Error of position asked for, relative to the length",
             1e-4,
+        ),
+        *(
+            Prop(
+                f"Keep{effect.capitalize()}",
+                "Bool",
+                "Model",
+                f"Compute {effect} also where the cable does not seem to need it",
+                False,
+            )
+            for effect in EFFECTS
         ),
         Prop(
             "Profile",

@@ -4,7 +4,7 @@
 from ..equilibrium.length_design import LONGEST
 from ..errors import DocumentError, ProblemError
 from ..geometry import rotation
-from ..options import SolveOptions
+from ..options import EFFECTS, SolveOptions
 from ..problem import Clamped, Free, Pinned, Scene, Swivel
 from ..shape.units import from_si, placement_to_si, to_si
 from .cable_type import CableType
@@ -38,7 +38,11 @@ def read_held(cable) -> Scene:
             clearance=to_si("length", checked.number("Clearance", at_least=0)),
             enforce_bend_radius=cable.BendRadiusMode == "Enforce",
             asks_length=cable.LengthMode == "Shortest",
-            options=SolveOptions(tolerance=checked.number("Tolerance"), time_limit=PATIENCE),
+            options=SolveOptions(
+                tolerance=checked.number("Tolerance"),
+                keep=tuple(each for each in EFFECTS if getattr(cable, f"Keep{each.capitalize()}")),
+                time_limit=PATIENCE,
+            ),
         )
     except ProblemError as error:
         raise in_properties(cable, error) from None

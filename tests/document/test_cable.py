@@ -98,6 +98,9 @@ class AnswerTest(DocumentTest):
         self.compute()
         self.assertIn("Kept: gravity", cable.ModelUsed)
         self.assertTrue(any(line.startswith("Left out: torsion") for line in cable.ModelUsed))
+        cable.KeepTorsion = True
+        cable.Document.recompute()
+        self.assertIn("Kept: torsion", cable.ModelUsed)
 
     def test_it_is_children_know_it_and_it_knows_its_centreline(self):
         cable = self.cable_between_pins()
