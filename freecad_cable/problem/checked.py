@@ -103,9 +103,10 @@ def _rows(field, value, check, kinds, types, wanted):
         return value
     if not isinstance(value, (list, tuple)):
         raise ProblemError(field, f"is {shown(value)}; it must be {wanted}")
-    if set(map(type, value)) <= {list, tuple} and set(map(len, value)) <= {3}:
+    rows_of_three = set(map(type, value)) <= {list, tuple} and set(map(len, value)) <= {3}
+    if rows_of_three and set(map(type, chain.from_iterable(value))) <= types:
         array = np.array(value).reshape(-1, 3)
-        if array.dtype.kind in kinds and set(map(type, chain.from_iterable(value))) <= types:
+        if array.dtype.kind in kinds:
             return array
     for i, row in enumerate(value):
         if not isinstance(row, (list, tuple, np.ndarray)) or len(row) != 3:
