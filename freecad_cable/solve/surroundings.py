@@ -6,6 +6,7 @@ would take the nearest side, and fold the cable around the obstacle.
 """
 
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
@@ -103,6 +104,16 @@ class Surroundings:
             allowed[(missing > 0) & (away <= 2 * missing + 1e-12)] = np.inf
             allowed[:, node] = np.inf
         return allowed
+
+    @cached_property
+    def holds_inside(self) -> bool:
+        """Whether an end is held nearer to an obstacle than the distance to keep."""
+        ends = [end for end in (self.scene.start, self.scene.end) if not isinstance(end, Free)]
+        if not self.obstacles or not ends:
+            return False
+        places = np.array([self.scaling.point(end.position) for end in ends])
+        _, found = self.nearest(places)
+        return bool(min(each.distance.min() for each in found) < self.keep)
 
     def _rings(self, shape):
         """(node, radius) of the rings."""

@@ -174,7 +174,9 @@ class Problem:
         names = ["fatrop", "ipopt"] if wanted == "auto" else [wanted]
         rod = self.scene.rod
         limp = rod.torsional_stiffness < LIMP * rod.bending_stiffness.min()
-        if wanted == "auto" and (limp or self.scaling.weight_ratio > LEADEN):
+        # From inside an obstacle fatrop was seen to correct its matrix without end as well.
+        inside = self.surroundings.holds_inside
+        if wanted == "auto" and (limp or inside or self.scaling.weight_ratio > LEADEN):
             names = ["ipopt"]
         present = [name for name in names if backend.available(name)]
         if not present:
