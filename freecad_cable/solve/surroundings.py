@@ -68,7 +68,7 @@ class Surroundings:
             return np.zeros(0)
         low, high = self.boxes[:, None, 0], self.boxes[:, None, 1]
         away = np.maximum(np.maximum(low - points, points - high), 0.0)
-        return np.sqrt(np.einsum("kmi,kmi->km", away, away).min(axis=1))
+        return np.sqrt(np.einsum("kmi,kmi->km", away, away).min(axis=1, initial=np.inf))
 
     def _scaled(self, nearest):
         length = self.scaling.length
@@ -109,11 +109,9 @@ class Surroundings:
     def holds_inside(self) -> bool:
         """Whether an end is held nearer to an obstacle than the distance to keep."""
         ends = [end for end in (self.scene.start, self.scene.end) if not isinstance(end, Free)]
-        if not self.obstacles or not ends:
-            return False
-        places = np.array([self.scaling.point(end.position) for end in ends])
-        _, found = self.nearest(places)
-        return bool(min(each.distance.min() for each in found) < self.keep)
+        places = np.array([self.scaling.point(end.position) for end in ends]).reshape(-1, 3)
+        _, found = self.nearest(places, self.keep)
+        return any(each.distance.min() < self.keep for each in found)
 
     def _rings(self, shape):
         """(node, radius) of the rings."""
