@@ -3,6 +3,7 @@
 
 import numpy as np
 
+from ..geometry.runs import runs
 from ..result import (
     Balance,
     Contact,
@@ -94,7 +95,7 @@ def _through_itself(rod, arc_length, position, quaternion):
 
 def _balance(rod, weight, scaling, shape, pushes):
     """The worst of the stretches between supports."""
-    nodes = [0, *(joint.node for joint in shape.joints), len(shape.steps)]
+    nodes = shape.ends
     found = [
         balance(
             rod,
@@ -124,14 +125,8 @@ def _formed(problem, trial):
     there = bend * rod.min_bend_radius > 1 - AT_LIMIT
     s = shape.arc_length * scaling.length
     return tuple(
-        Formed(float(s[a]), float(s[b - 1]), float(missing[a:b].max())) for a, b in _runs(there)
+        Formed(float(s[a]), float(s[b - 1]), float(missing[a:b].max())) for a, b in runs(there)
     )
-
-
-def _runs(there):
-    """(first, one beyond the last) of each run of true values (n,)."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], there.astype(int), [0]])))
-    return zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
 
 
 def _contacts(owners, pushes, arc_length):
@@ -140,7 +135,7 @@ def _contacts(owners, pushes, arc_length):
     for obstacle in np.unique(owners[owners >= 0]):
         force = (pushes * (owners == obstacle)[..., None]).sum(axis=1)
         size = np.linalg.norm(force, axis=1)
-        for a, b in _runs(size > 0):
+        for a, b in runs(size > 0):
             middle = np.average(arc_length[a:b], weights=size[a:b])
             found.append(Contact(float(middle), int(obstacle), force[a:b].sum(axis=0)))
     return tuple(sorted(found, key=lambda contact: contact.arc_length))

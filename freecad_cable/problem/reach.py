@@ -40,6 +40,12 @@ def stations(scene) -> list[Station]:
     return found
 
 
+def sections(held) -> list[list[Station]]:
+    """The stations from each with an arc length to the next such, both included."""
+    fixed = [i for i, station in enumerate(held) if station.arc_length is not None]
+    return [held[a : b + 1] for a, b in zip(fixed, fixed[1:], strict=False)]
+
+
 def play(support, rod) -> float:
     """How far the centreline may be from a support's position [m]."""
     if not isinstance(support, Ring):
@@ -76,8 +82,8 @@ def check_reach(scene):
     fixed = [i for i, station in enumerate(held) if station.arc_length is not None]
     if not fixed:
         return
-    for a, b in zip(fixed, fixed[1:], strict=False):
-        _check_between(held[a : b + 1], scene)
+    for section in sections(held):
+        _check_between(section, scene)
     _check_tail(held[: fixed[0] + 1], held[fixed[0]].arc_length)
     _check_tail(held[fixed[-1] :][::-1], scene.rod.length - held[fixed[-1]].arc_length)
 
@@ -90,9 +96,8 @@ def chord_through(positions) -> float:
 def shortest_way(held) -> float:
     """Lower bound [m] of the length of any curve through the stations in order."""
     points = np.array([station.position for station in held])
-    slack = sum(a.play + b.play for a, b in zip(held, held[1:], strict=False))
-    if slack == 0.0:
-        return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+    if not any(station.play for station in held):
+        return chord_through(points)
     # Every leg may be shorter by the play at both its ends, and no way is shorter than one that skips stations.
     best = np.full(len(held), -np.inf)
     best[0] = 0.0

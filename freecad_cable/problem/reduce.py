@@ -7,7 +7,7 @@ import numpy as np
 
 from ..geometry import rotation
 from .ends import Clamped, Swivel
-from .reach import shortest_way, stations
+from .reach import sections, shortest_way, stations
 from .scene import Scene
 from .supports import Clamp, Sleeve
 
@@ -70,11 +70,9 @@ def reduce(scene: Scene, *, rigid: bool = True) -> Model:
 
 def tautness(scene: Scene) -> float:
     """Distance over length of the held places between which the cable is most taut; 0 if there are not two."""
-    held = stations(scene)
-    fixed = [i for i, station in enumerate(held) if station.arc_length is not None]
     ratios = [
-        shortest_way(held[a : b + 1]) / (held[b].arc_length - held[a].arc_length)
-        for a, b in zip(fixed, fixed[1:], strict=False)
+        shortest_way(section) / (section[-1].arc_length - section[0].arc_length)
+        for section in sections(stations(scene))
     ]
     return max(ratios, default=0.0)
 

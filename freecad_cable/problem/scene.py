@@ -67,7 +67,7 @@ class Scene:
                 "pinned, the other end free and no weight: the cable can turn freely; "
                 "clamp this end or hold the other",
             )
-        if self.supports and len(held) < 2 and all(s.slides for s in self.supports) and not held:
+        if not held and all(support.slides for support in self.supports):
             raise ProblemError(
                 "supports",
                 "both ends are free and every support lets the cable slide, so it would slide out; "

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..geometry.runs import runs
 from ..transcription import contact
 from ..transcription.shape import Shape
 from . import mesh
@@ -129,10 +130,9 @@ def _places(trial, around_it):
     """Arc lengths where contact begins or ends, or is at a point."""
     acting = np.linalg.norm(trial.contact_forces, axis=2).any(axis=1)
     s = trial.shape.arc_length
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], acting.astype(int), [0]])))
     places = []
-    for a, b in zip(edges[::2], edges[1::2] - 1, strict=True):
-        places += [s[a]] if a == b else [s[a], s[b]]
+    for a, b in runs(acting):
+        places += [s[a]] if b == a + 1 else [s[a], s[b - 1]]
     if around_it.deepest(trial.shape):
         worst = int(np.argmin(around_it.between(trial.shape)))
         places.append((s[worst] + s[worst + 1]) / 2)

@@ -10,6 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..geometry.runs import runs
 from ..problem import Free, Ring, Scene
 from ..problem.surroundings import out_of_reach
 from ..transcription import contact
@@ -162,7 +163,7 @@ class Surroundings:
         count = int(near.sum(axis=0).max(initial=0))
         if count == 0:
             return None
-        count = min(next(n for n in (1, 2, MOST) if n >= min(count, MOST)), MOST)
+        count = next(n for n in (1, 2, MOST) if n >= min(count, MOST))
         rows = np.array([contact.parameters(each, self.keep) for each in found])
         if leaving:
             for i, each in enumerate(found):
@@ -180,8 +181,7 @@ class Surroundings:
     def _leave(self, rows, i, nearest, points, gap):
         """Faces for the nodes inside an obstacle, across the direction in which each run of them leaves."""
         inside = (nearest.distance < 0) & np.isfinite(gap)
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
-        for a, b in zip(edges[::2], edges[1::2], strict=True):
+        for a, b in runs(inside):
             run = slice(a, b)
             depth = -nearest.distance[run]
             out = (depth[:, None] * nearest.normal[run]).sum(axis=0)

@@ -81,7 +81,7 @@ class Trial:
         """(rows,) whether a row holds: an equation, or a bound that pushes harder than it is far."""
         left = self.nlp.rows_function(self.raw.x, self.parameters).full().ravel()
         push = -self.raw.multipliers
-        return np.array(self.nlp.equality) | ((push > ACTING) & (push > left))
+        return self.nlp.equality | ((push > ACTING) & (push > left))
 
     @property
     def frames(self) -> np.ndarray:
@@ -107,7 +107,7 @@ class Trial:
     def slipped(self) -> tuple[int, ...]:
         """Supports that have slid as near to what is beside them as the program allows: no equilibrium."""
         structure = self.nlp.structure
-        ends = self.shape.arc_length[[0, *structure.joints, structure.elements]]
+        ends = self.shape.arc_length[structure.ends]
         short = np.diff(ends) < (1 + 1e-3) * SHORTEST
         return tuple(int(j) for j in np.flatnonzero(structure.sliding) if short[j : j + 2].any())
 

@@ -18,8 +18,7 @@ def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
     controls = list(strain[1:] if continuous else (strain[1:] + strain[:-1]) / 2)
     if continuous:
         nodes.append(strain)
-    ends = [0, *structure.joints, structure.elements]
-    places = shape.arc_length[ends]
+    places = shape.arc_length[structure.ends]
     if structure.slides:
         stretch = np.searchsorted(structure.joints, np.arange(structure.elements + 1), "left")
         nodes += [np.diff(places)[stretch][:, None], places[stretch][:, None]]
@@ -53,7 +52,7 @@ def places(nlp: Nlp, steps, x):
     structure, states = nlp.structure, x[nlp.states]
     quaternion = states[:, 3:7] / np.linalg.norm(states[:, 3:7], axis=1)[:, None]
     if structure.slides:
-        ends = [0, *structure.joints, structure.elements]
+        ends = structure.ends
         steps = np.concatenate(
             [
                 steps[a:b] / steps[a:b].sum() * states[b, -2]

@@ -64,19 +64,22 @@ class Shape:
         return np.diff(self.arc_length)
 
     @property
+    def ends(self) -> list[int]:
+        """Nodes where stretches begin and end."""
+        return [0, *(joint.node for joint in self.joints), len(self.steps)]
+
+    @property
     def stretches(self) -> tuple[int, ...]:
         """Elements between one joint and the next."""
-        nodes = [0, *(joint.node for joint in self.joints), len(self.steps)]
-        return tuple(b - a for a, b in zip(nodes, nodes[1:], strict=False))
+        return tuple(b - a for a, b in zip(self.ends, self.ends[1:], strict=False))
 
     def parts(self) -> list["Shape"]:
         """The stretches, each with what is true between its own first and last node."""
         if not self.joints:
             return [self]
-        nodes = [0, *(joint.node for joint in self.joints), len(self.steps)]
         return [
             self._part(a, b, joint)
-            for a, b, joint in zip(nodes, nodes[1:], (None, *self.joints), strict=False)
+            for a, b, joint in zip(self.ends, self.ends[1:], (None, *self.joints), strict=False)
         ]
 
     def _part(self, a, b, joint):

@@ -39,6 +39,11 @@ class Structure:
         return tuple(int(node) for node in np.cumsum(self.stretches)[:-1])
 
     @property
+    def ends(self) -> list[int]:
+        """Nodes where stretches begin and end."""
+        return [0, *self.joints, self.elements]
+
+    @property
     def slides(self) -> bool:
         """Whether element lengths are unknowns."""
         return any(self.sliding)
