@@ -11,7 +11,7 @@ from FreeCAD import Placement
 
 from ..errors import DocumentError, ProblemError
 from ..problem import Free, Scene, Tube
-from ..problem.surroundings import out_of_reach
+from ..problem.surroundings import in_reach
 from ..shape import obstacle
 from ..shape.centreline import centreline
 from ..shape.units import from_si, vectors_to_si
@@ -21,9 +21,6 @@ from .property_table import wrong
 from .read_held import read_held
 from .reference import based_beside, is_plain_group, pairs
 from .stored_solution import nodes
-
-STRETCH = 1.05
-"""By how much more than its length a cable that stretches is taken to reach."""
 
 CROWDED = 0.1
 """Depth, in radii of the cable, above which it is no longer a matter of rounding."""
@@ -136,14 +133,7 @@ def crowded(scene) -> list[str]:
 
 
 def _in_reach(found, held):
-    if not found:
-        return []
-    ends = [end.position for end in (held.start, held.end) if not isinstance(end, Free)]
-    first, *second = ends or [held.supports[0].position]
-    length = held.rod.length * (1 if held.rod.axial_stiffness is None else STRETCH)
-    margin = held.rod.radius + held.clearance
-    far = out_of_reach(found, first, second[0] if second else None, length, margin)
-    return [each for each, is_far in zip(found, far, strict=True) if not is_far]
+    return [each for each, near in zip(found, in_reach(held, found), strict=True) if near]
 
 
 def _stated(cable, found, radius):

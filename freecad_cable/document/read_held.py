@@ -6,20 +6,18 @@ from ..errors import DocumentError, ProblemError
 from ..geometry import rotation
 from ..options import EFFECTS, SolveOptions
 from ..problem import Clamped, Free, Pinned, Scene, Swivel
+from ..problem.reach import chord_through
 from ..shape.units import from_si, placement_to_si, to_si
 from .cable_type import CableType
 from .complaint import in_properties
 from .property_table import Checked, wrong
 from .proxy import proxy_of
-from .read_supports import read_supports, straight_length
+from .read_supports import read_supports
 from .reference import container
 from .terminal import Terminal
 
 PATIENCE = 20.0
 """Seconds after which a solve gives up: the window stands still meanwhile."""
-
-HALF_TURN = (0.0, 1.0, 0.0, 0.0)
-"""About x, as a quaternion: a terminal looks out of its part, and at its end the cable runs into it."""
 
 
 def read_held(cable) -> Scene:
@@ -82,7 +80,8 @@ def _end(place, terminal):
         return Free(place=place)
     position, quaternion = placement_to_si(terminal.Frame)
     if place == "end":
-        quaternion = rotation.multiply(quaternion, HALF_TURN)
+        # A terminal looks out of its part, and the cable runs into it.
+        quaternion = rotation.backwards(quaternion)
     if terminal.Condition == "Pinned":
         return Pinned(position, place=place)
     if terminal.Condition == "Swivel":
@@ -98,7 +97,7 @@ def _rod(cable, checked, start, supports, end):
         raise wrong(cable, "CableType", f"{said}; choose a cable type.")
     straight = None
     if isinstance(start, Pinned) and isinstance(end, Pinned):
-        straight = straight_length(start, supports, end)
+        straight = chord_through([held.position for held in (start, *supports, end)])
     rod = proxy.rod(kind, _length(cable, checked, straight))
     if cable.BendRadiusMode == "Enforce" and rod.min_bend_radius is None:
         raise wrong(

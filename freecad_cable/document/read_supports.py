@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From the supports that a cable links to, to those of its scene."""
 
-from itertools import pairwise
-
 import numpy as np
 
 from ..errors import DocumentError
@@ -24,12 +22,6 @@ def read_supports(cable, start, end) -> tuple:
         obj.Proxy.held(obj, place_of(obj), course[i + 2] - course[i])
         for i, obj in enumerate(objects)
     )
-
-
-def straight_length(start, supports, end) -> float:
-    """Length [m] of the straight lines from the start over the supports to the end, which both hold a position."""
-    points = [held.position for held in (start, *supports, end)]
-    return float(sum(np.linalg.norm(b - a) for a, b in pairwise(points)))
 
 
 def _linked(cable):

@@ -16,9 +16,6 @@ from .frame import passage_of
 from .property_table import Checked, Prop, wrong
 from .proxy import in_use
 
-HALF_TURN = (0.0, 1.0, 0.0, 0.0)
-"""About x, as a quaternion."""
-
 POSITION = Prop(
     "Position",
     "Distance",
@@ -92,7 +89,7 @@ class _Directed(Support):
         position, quaternion = placement_to_si(obj.Frame)
         against = rotation.tangent(quaternion) @ np.asarray(way) < 0
         if against != obj.Reverse:
-            quaternion = rotation.multiply(quaternion, HALF_TURN)
+            quaternion = rotation.backwards(quaternion)
         return position, quaternion
 
 

@@ -50,13 +50,13 @@ class BoxTree:
         """
         node = np.zeros(len(points), int)
         for low, high in self._levels:
-            gap = _to_boxes(points, low[node], high[node])
+            gap = to_boxes(points, low[node], high[node])
             node = BRANCHES * node + gap.argmin(axis=1)
         # Some leaf near the point gives a bound; then every leaf that may hold a thing within it is looked into.
         bound = self._bound(points, node, squared)
         who, node = np.arange(len(points)), np.zeros(len(points), int)
         for low, high in self._levels:
-            gap = _to_boxes(points[who], low[node], high[node])
+            gap = to_boxes(points[who], low[node], high[node])
             pair, branch = np.nonzero(gap <= bound[who, None])
             who, node = who[pair], BRANCHES * node[pair] + branch
             if len(who) > MOST_PAIRS and len(points) > 1:
@@ -96,8 +96,8 @@ class BoxTree:
         return beyond**2 + aside**2
 
 
-def _to_boxes(points, low, high):
-    """Squared distances (p, b) of points (p, 3) from b boxes (p, b, 3) each."""
+def to_boxes(points, low, high):
+    """Squared distances (p, b) of points (p, 3) from b boxes (p, b, 3) each, or (b, 3) for all."""
     points = points[:, None, :]
     gap = np.maximum(np.maximum(low - points, points - high), 0.0)
     return np.einsum("pbi,pbi->pb", gap, gap)

@@ -56,6 +56,11 @@ def conjugate(q):
     return np.asarray(q, float) * (1.0, -1.0, -1.0, -1.0)
 
 
+def backwards(q):
+    """Frames (..., 4) after half a turn about their d1: d3 the other way."""
+    return multiply(q, (0.0, 1.0, 0.0, 0.0))
+
+
 def matrix(q):
     """Rotation matrices (..., 3, 3) of unit quaternions (..., 4)."""
     return np.eye(3) + _bilinear(q, q, _TURN)

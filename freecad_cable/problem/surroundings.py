@@ -4,7 +4,20 @@
 import numpy as np
 
 from ..geometry.spheroid import Spheroid
+from .ends import Free
 from .obstacles import HalfSpace
+
+STRETCH = 1.05
+"""By how much more than its length a cable that stretches is taken to reach."""
+
+
+def in_reach(scene, obstacles) -> np.ndarray:
+    """(k,) whether the cable of a scene, whatever its shape, may touch each of k obstacles, or whatever has ``bounds``."""
+    held = [end.position for end in (scene.start, scene.end) if not isinstance(end, Free)]
+    first, *second = held or [scene.supports[0].position]
+    length = scene.rod.length * (1 if scene.rod.axial_stiffness is None else STRETCH)
+    margin = scene.rod.radius + scene.clearance
+    return ~out_of_reach(obstacles, first, second[0] if second else None, length, margin)
 
 
 def out_of_reach(obstacles, a, b, length, margin) -> np.ndarray:

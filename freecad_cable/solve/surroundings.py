@@ -10,9 +10,10 @@ from functools import cached_property
 
 import numpy as np
 
+from ..geometry.box_tree import to_boxes
 from ..geometry.runs import runs
 from ..problem import Free, Ring, Scene
-from ..problem.surroundings import out_of_reach
+from ..problem.surroundings import in_reach
 from ..transcription import contact
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
@@ -29,8 +30,6 @@ INSIDE = 4
 """Samples of an element between its nodes."""
 FARTHEST = 4.0
 """Distance, in lengths, beyond which no obstacle in reach is."""
-STRETCH = 1.05
-"""By how much more than its length a cable that stretches is taken to reach."""
 
 
 class Surroundings:
@@ -40,18 +39,7 @@ class Surroundings:
         self.scene, self.scaling = scene, scaling
         self.radius = scene.rod.radius / scaling.length
         self.keep = self.radius + scene.clearance / scaling.length
-        held = [end.position for end in (scene.start, scene.end) if not isinstance(end, Free)] or [
-            scene.supports[0].position
-        ]
-        length = scene.rod.length * (1 if scene.rod.axial_stiffness is None else STRETCH)
-        far = out_of_reach(
-            scene.obstacles,
-            held[0],
-            held[1] if len(held) > 1 else None,
-            length,
-            scene.rod.radius + scene.clearance,
-        )
-        self.indices = np.flatnonzero(~far)
+        self.indices = np.flatnonzero(in_reach(scene, scene.obstacles))
         self.obstacles = [scene.obstacles[i] for i in self.indices]
         bounds = np.array([each.bounds for each in self.obstacles]).reshape(-1, 2, 3)
         self.boxes = (bounds - scaling.origin) / scaling.length
@@ -67,9 +55,8 @@ class Surroundings:
         """(obstacles,) lower bounds of their distances from points (m, 3): those of the boxes around them."""
         if not self.obstacles:
             return np.zeros(0)
-        low, high = self.boxes[:, None, 0], self.boxes[:, None, 1]
-        away = np.maximum(np.maximum(low - points, points - high), 0.0)
-        return np.sqrt(np.einsum("kmi,kmi->km", away, away).min(axis=1, initial=np.inf))
+        low, high = self.boxes.swapaxes(0, 1)
+        return np.sqrt(to_boxes(points, low, high).min(axis=0, initial=np.inf))
 
     def _scaled(self, nearest):
         length = self.scaling.length
