@@ -60,10 +60,11 @@ def read_scene(data) -> Scene:
     start, end = (_end(place, fields[place]) for place in ("start", "end"))
     gravity = fields.get("gravity", [0, 0, -9.81])
     clearance = fields.get("clearance", 0.0)
-    mode = fields["cable"].get("length_mode") if isinstance(fields["cable"], dict) else None
+    rod = _rod(fields["cable"], start, end, supports)
+    mode = fields["cable"].get("length_mode")
     return Scene(
-        rod=_rod(fields["cable"], start, end, supports),
-        asks_length=isinstance(mode, dict) and mode.get("kind") == "shortest",
+        rod=rod,
+        asks_length=mode is not None and mode["kind"] == "shortest",
         enforce_bend_radius=_enforced(fields["cable"]),
         start=start,
         end=end,

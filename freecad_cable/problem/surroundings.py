@@ -12,7 +12,7 @@ STRETCH = 1.05
 
 
 def in_reach(scene, obstacles) -> np.ndarray:
-    """(k,) whether the cable of a scene, whatever its shape, may touch each of k obstacles, or whatever has ``bounds``."""
+    """(k,) whether the cable of a scene, whatever its shape, may touch each of k obstacles, or what has ``bounds``."""
     held = [end.position for end in (scene.start, scene.end) if not isinstance(end, Free)]
     first, *second = held or [scene.supports[0].position]
     length = scene.rod.length * (1 if scene.rod.axial_stiffness is None else STRETCH)

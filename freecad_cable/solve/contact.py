@@ -15,6 +15,7 @@ from ..transcription import contact
 from ..transcription.shape import Shape
 from . import mesh
 from .detours import detours
+from .saddle import descended
 from .surroundings import BESIDE, NEAR
 from .trial import Problem, TimeUpError, Trial
 
@@ -45,7 +46,12 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
             found = _settled(problem, start, leaving=True)
             if found is None:
                 continue
-            found = _off_saddle(problem, found)
+            found = descended(
+                found,
+                lambda shape: _settled(problem, shape, leaving=True),
+                0.05,
+                lambda t: t.stable,
+            )
             if fixed is None and around_it.deepest(found.shape) < around_it.radius:
                 found = _gathered(problem, found)
             if best is None or _rank(found, around_it) < _rank(best, around_it):
@@ -60,19 +66,6 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
 
 def _rank(trial, around_it):
     return around_it.deepest(trial.shape), not trial.stable, trial.energy
-
-
-def _off_saddle(problem, trial):
-    """Down from a saddle, both ways; the trial itself if that leads nowhere."""
-    for _ in range(3):
-        if trial.stable:
-            break
-        found = [_settled(problem, trial.swayed(size), leaving=True) for size in (0.05, -0.05)]
-        below = [each for each in found if each is not None and each.energy < trial.energy]
-        if not below:
-            break
-        trial = min(below, key=lambda each: each.energy)
-    return trial
 
 
 def resumed(problem: Problem, warm: Shape) -> Trial | None:

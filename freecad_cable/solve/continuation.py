@@ -11,7 +11,6 @@ import numpy as np
 
 from ..problem.reduce import tautness
 from ..transcription.guess import guess
-from ..transcription.waypoints import breaks
 from . import mesh
 from .trial import Problem, Trial
 
@@ -50,7 +49,7 @@ def continued(problem: Problem, elements: int) -> Iterator[Trial]:
         reach = 1.0 if loose == slack else (1 - loose ** (1 - progress) * slack**progress) / chord
         return {"load": load ** (1 - progress), "reach": reach}
 
-    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load), breaks(scene, scaling))
+    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load), problem.breaks)
     trial = problem.solve(guess(scene, scaling, arc_length), **at(0))
     longest = 1 / np.ceil(np.log(max(1 / load, loose / slack)) / np.log(FACTOR))
     progress, step = 0.0, longest

@@ -20,9 +20,9 @@ slack s by about 0.3 δ/√s (a parabola), at most 3 δ where this is tried, and
 
 def find(problem: Problem, warm=None) -> Trial | None:
     """As ``search.find``, with as little of the model as the tolerance allows."""
-    if not problem.model.tried:
-        return search.find(problem, warm)
     trial = search.find(problem, warm)
+    if not problem.model.tried:
+        return trial
     if trial is not None:
         moved = _moved(problem, trial)
         names = " and ".join(problem.model.tried)

@@ -71,10 +71,19 @@ def _tensions(scene, weight):
 def refined(shape, elements) -> np.ndarray:
     """(n+1,) arc lengths that suit a shape: a linear strain misses h² κ''/8 in an element, and to spread the
     integral of that evenly wants a density of |κ''|^(1/3)."""
-    densities = np.concatenate([_density(part) for part in shape.parts()])
-    s = np.concatenate([part.arc_length for part in shape.parts()])
-    breaks = [shape.arc_length[joint.node] for joint in shape.joints]
-    return _by_stretches(s, densities, elements, breaks)
+    return _by_stretches(*_densities(shape), elements, _breaks(shape))
+
+
+def _breaks(shape):
+    """Arc lengths of the supports."""
+    return [shape.arc_length[joint.node] for joint in shape.joints]
+
+
+def _densities(shape):
+    """Arc lengths and densities (m,) there; at a support, both before and beyond it."""
+    parts = shape.parts()
+    s = np.concatenate([part.arc_length for part in parts])
+    return s, np.concatenate([_density(part) for part in parts])
 
 
 def _density(shape):
@@ -93,9 +102,7 @@ def _density(shape):
 def gathered(shape, elements, places, width) -> np.ndarray:
     """(n+1,) arc lengths that suit a shape, half of them gathered about some ``places``, to a distance ``width`` from
     each: where a force acts at a point, the nearest node decides how well."""
-    bends = [_density(part) for part in shape.parts()]
-    s = np.concatenate([part.arc_length for part in shape.parts()])
-    density = np.concatenate(bends)
+    s, density = _densities(shape)
     fine = np.unique(
         np.concatenate(
             [s, *(c + np.array([-1, 1])[:, None] * _decades(width) for c in places)], axis=None
@@ -105,8 +112,7 @@ def gathered(shape, elements, places, width) -> np.ndarray:
     near = sum(1 / (np.abs(fine - c) + width) for c in places)
     density = np.interp(fine, s, density)
     density = density / trapezoid(density, fine) + near / trapezoid(near, fine)
-    breaks = [shape.arc_length[joint.node] for joint in shape.joints]
-    return _by_stretches(fine, density, elements, breaks, floor=0.1)
+    return _by_stretches(fine, density, elements, _breaks(shape), floor=0.1)
 
 
 def _decades(width):

@@ -17,6 +17,7 @@ from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import contact, mesh
 from .continuation import continued, taut_chord
+from .saddle import descended
 from .trial import Problem, TimeUpError, Trial
 
 GARBAGE = 0.02
@@ -157,19 +158,8 @@ def _elsewhere(problem, arc_length):
 
 
 def off_saddle(problem, trial):
-    """Follow the least stable variation down both sides, to a minimum if one is found."""
-    for _ in range(3):
-        if trial.stable or trial.error > GARBAGE:
-            return trial
-        below = []
-        for size in (0.1, -0.1):
-            other = problem.solve(trial.swayed(size))
-            if other is not None and other.energy < trial.energy:
-                below.append(other)
-        if not below:
-            return trial
-        trial = min(below, key=lambda t: t.energy)
-    return trial
+    """A minimum below a saddle, if one is found; what no mesh resolves is left as it is."""
+    return descended(trial, problem.solve, 0.1, lambda t: t.stable or t.error > GARBAGE)
 
 
 def refined(problem, trial):

@@ -83,15 +83,12 @@ class Writer:
         free[[0, n]] = structure.start == "free", structure.end == "free"
         free[list(structure.joints)] = False
         self.touching = np.flatnonzero(free)
-        self.bent_at = [numbers.states[k, 7] for k in range(n + 1)] if numbers.continuous else []
-        self.bent_at = [[place] for place in self.bent_at] or [
-            [place] for place in numbers.first[:, 0]
-        ]
         if numbers.continuous:
+            self.bent_at = [[place] for place in numbers.states[:, 7]]
             for node in structure.joints:
                 self.bent_at[node].append(numbers.first[node, 0])
         else:
-            self.bent_at.append([])
+            self.bent_at = [*([place] for place in numbers.first[:, 0]), []]
         equality, self.gaps, self.held_rows, self.contact_rows = [], [], {}, {}
         self.bend_rows, sizes = [], []
         for k in range(n + 1):
