@@ -7,14 +7,13 @@ Runs in the folder of the checkout, of an installed add-on. All of it, and one c
 hole, along the floor, in a P-clip.
 """
 
-import os
 import sys
-import time
-import traceback
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore
+
+sys.path.insert(0, "docs/pictures")
+from taking import take, wait
 
 STORED = "demo-output/satellite.FCStd"
 
@@ -68,23 +67,4 @@ def save(path):
     FreeCADGui.activeView().saveImage(path, *SIZE, "White")
 
 
-def wait(seconds=2):
-    """Let the window draw itself."""
-    until = time.monotonic() + seconds
-    while time.monotonic() < until:
-        FreeCADGui.updateGui()
-
-
-def run():
-    status = 0
-    try:
-        picture()
-    except Exception:  # noqa: BLE001 - becomes the exit code
-        traceback.print_exc(file=sys.__stdout__)
-        status = 1
-    sys.__stdout__.flush()
-    os._exit(status)
-
-
-# When the window is up.
-QtCore.QTimer.singleShot(2000, run)
+take(picture)

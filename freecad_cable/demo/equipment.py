@@ -8,6 +8,7 @@ import Import
 from ..document import make
 from .circles import Circles
 from .harness import CONNECTORS, RUNS, TYPES
+from .plug import plugged
 
 TITLE = "Ten cables on an equipment panel: solved, and as a spline would route them"
 
@@ -29,7 +30,7 @@ def build(document):
     Import.insert(str(STEP), document.Name, useLinkGroup=False)
     circles = Circles(document.getObject("Equipment"))
     kinds = {name: make.cable_type(document, name, **given) for name, given in TYPES.items()}
-    terminals = {name: _terminal(document, circles, name) for name in CONNECTORS}
+    terminals = {name: plugged(document, circles, name, each) for name, each in CONNECTORS.items()}
     for name, run in RUNS.items():
         cable = make.cable(
             document,
@@ -45,12 +46,3 @@ def build(document):
 def parts(document):
     """The objects that are not ours."""
     return [document.getObject("Equipment")]
-
-
-def _terminal(document, circles, name):
-    """A cable is plugged in before its plug is locked, so it turns until it is free of twist."""
-    connector = CONNECTORS[name]
-    reference = circles.reference(connector.centre, connector.radius)
-    terminal = make.terminal(document, reference, condition="Swivel")
-    terminal.Label = name
-    return terminal

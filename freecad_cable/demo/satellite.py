@@ -11,6 +11,7 @@ from FreeCAD import Placement, Rotation, Vector
 from ..document import make
 from ..errors import DocumentError
 from .circles import Circles
+from .plug import plugged
 from .satellite_wiring import (
     CLEARANCE,
     CLIP_WIDTH,
@@ -44,7 +45,7 @@ def build(document):
     satellite = document.getObject("Satellite")
     circles = Circles(satellite)
     kinds = {name: make.cable_type(document, name, **given) for name, given in TYPES.items()}
-    ends = {name: _terminal(document, circles, name) for name in CONNECTORS}
+    ends = {name: plugged(document, circles, name, each) for name, each in CONNECTORS.items()}
     holds = {name: _ring(document, circles, name) for name in HOLES}
     holds |= {name: _clip(document, circles, name) for name in CLIPS}
     document.recompute()
@@ -97,13 +98,6 @@ def _reference(satellite, label):
 
 def _label(satellite, path):
     return satellite.getSubObject(path, retType=1).Label
-
-
-def _terminal(document, circles, name):
-    """A cable is plugged in before its plug is locked, so it turns until it is free of twist."""
-    connector = CONNECTORS[name]
-    reference = circles.reference(connector.centre, connector.radius)
-    return _labelled(make.terminal(document, reference, condition="Swivel"), name)
 
 
 def _ring(document, circles, name):
