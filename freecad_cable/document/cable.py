@@ -12,8 +12,8 @@ from ..shape.profile import profile
 from ..shape.sweep import sweep_profile, sweep_round
 from ..status import Status
 from . import results, stored_solution
-from .cable_type import doubts
 from .complaint import in_properties, in_words
+from .doubts import doubts
 from .property_table import Prop, wrong
 from .proxy import IncompleteError, Proxy, in_use
 from .read_scene import read_scene

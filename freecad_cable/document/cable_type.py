@@ -1,26 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a cable is made of: its section, by measured values or by a material."""
 
-from math import pi
-
-import numpy as np
-
 from ..errors import ProblemError
 from ..problem import Rod, round_section
 from ..shape.units import to_si
+from .doubts import gaps, wrong_units
 from .property_table import Checked, Prop, wrong
 from .proxy import Proxy, in_use
-
-MODULUS_BOUNDS = (1e5, 1e12)
-"""[Pa] Softer than the softest gel or stiffer than diamond, averaged over a section: a wrong unit."""
-
-DENSITY_BOUNDS = (50, 25000)
-"""[kg/m³] Lighter than foam or heavier than osmium."""
 
 BY_MATERIAL = ("MassPerLength", "BendingStiffness", "SecondBendingStiffness", "TorsionalStiffness")
 """What follows from the material if that is the source."""
 
 OF_MATERIAL = ("YoungsModulus", "ShearModulus", "Density")
+
+NOT_GIVEN = ("OuterDiameter", "MassPerLength", "BendingStiffness", "TorsionalStiffness")
+"""What every cable has, so that there is a number from the start."""
 
 IN_SCENE = {
     "cable.mass_per_length": "MassPerLength",
@@ -32,6 +26,21 @@ IN_SCENE = {
     "cable.natural_curvature": "NaturalCurvature",
 }
 """Fields of the scene and the properties that state them."""
+
+
+SOURCED = (
+    *NOT_GIVEN,
+    *OF_MATERIAL,
+    "SlipBendingStiffness",
+    "StickBendingStiffness",
+    "SecondBendingStiffness",
+    "AxialStiffness",
+    "MinBendRadius",
+    "MinBendRadiusMoving",
+)
+"""Numbers that come from somewhere."""
+
+CHANGED = "user, set in the document"
 
 
 class CableType(Proxy):
@@ -72,6 +81,20 @@ class CableType(Proxy):
             unit="N*m^2",
         ),
         Prop(
+            "SlipBendingStiffness",
+            "Quantity",
+            "Section",
+            "Least bending stiffness, where all strands slip; 0: not known",
+            unit="N*m^2",
+        ),
+        Prop(
+            "StickBendingStiffness",
+            "Quantity",
+            "Section",
+            "Greatest bending stiffness, where no strand slips; 0: not known",
+            unit="N*m^2",
+        ),
+        Prop(
             "TorsionalStiffness",
             "Quantity",
             "Section",
@@ -102,8 +125,21 @@ class CableType(Proxy):
             "MinBendRadius",
             "Distance",
             "Bend Radius",
-            "Smallest bend radius the cable may have; 0: no limit",
+            "Smallest bend radius the cable may have where it is laid; 0: no limit",
             unit="mm",
+        ),
+        Prop(
+            "MinBendRadiusMoving",
+            "Distance",
+            "Bend Radius",
+            "Smallest bend radius the cable may have where it moves; 0: not known",
+            unit="mm",
+        ),
+        Prop(
+            "Moving",
+            "Bool",
+            "Bend Radius",
+            "Whether the cable moves, so that MinBendRadiusMoving counts",
         ),
         Prop(
             "BendRadiusConvention",
@@ -113,7 +149,13 @@ class CableType(Proxy):
             "Inside",
             choices=("Inside", "Centreline"),
         ),
-        Prop("Provenance", "String", "Section", "Where the numbers come from"),
+        Prop(
+            "Provenance",
+            "StringList",
+            "Section",
+            "Where each number comes from: measured, datasheet, standard, derived, user or placeholder, and the source",
+            [f"{name}: placeholder, not given" for name in NOT_GIVEN],
+        ),
         Prop(
             "Status", "String", "Result", "The section in words, and what looks wrong", result=True
         ),
@@ -127,17 +169,23 @@ class CableType(Proxy):
             obj.setEditorMode(name, 0 if material else 2)
 
     def onChanged(self, obj, name):
-        if name == "Source" and in_use(obj):
+        if not in_use(obj) or obj.Document.Transacting:
+            return
+        if name == "Source":
             self.set_editor_modes(obj)
+        elif name in SOURCED:
+            of_material = obj.Source == "Material" and name in BY_MATERIAL
+            _tell_source(obj, name, "derived, from the material" if of_material else CHANGED)
 
     def run(self, obj):
         checked = Checked(obj, self.TABLE)
         diameter = checked.number("OuterDiameter", above=0)
-        checked.number("MinBendRadius", at_least=0)
+        for name in ("MinBendRadius", "MinBendRadiusMoving"):
+            checked.number(name, at_least=0)
         if obj.Source == "Material":
             _compute(obj, checked, to_si("length", diameter))
         rod = self.rod(obj, 1.0)
-        obj.Status = " ".join([_in_words(rod, diameter), *_doubts(rod)])
+        obj.Status = " ".join([_in_words(rod, diameter), *wrong_units(rod), *gaps(obj)])
 
     def rod(self, obj, length) -> Rod:
         """The rod of a cable of this type, of ``length`` [m]. Errors: ``DocumentError``."""
@@ -148,7 +196,7 @@ class CableType(Proxy):
             else "BendingStiffness"
         )
         diameter = to_si("length", checked.number("OuterDiameter", above=0))
-        limit = to_si("length", checked.number("MinBendRadius", at_least=0))
+        limit = to_si("length", checked.number(_limit(obj), at_least=0))
         if limit and obj.BendRadiusConvention == "Inside":
             limit += diameter / 2
         try:
@@ -167,9 +215,18 @@ class CableType(Proxy):
             raise _in_properties(obj, error) from None
 
 
-def doubts(obj):
-    """What looks like a wrong unit in a cable type, as sentences that name it."""
-    return [f"{obj.Label}: {sentence}" for sentence in _doubts(obj.Proxy.rod(obj, 1.0))]
+def _limit(obj):
+    """The property that states the smallest bend radius."""
+    moving = obj.Moving and obj.MinBendRadiusMoving.Value
+    return "MinBendRadiusMoving" if moving else "MinBendRadius"
+
+
+def _tell_source(obj, name, source):
+    """In the provenance, where a number now comes from; one of a property without a number is gone."""
+    kept = [said for said in obj.Provenance if not said.startswith(f"{name}: ")]
+    told = [f"{name}: {source}"] if getattr(obj, name).Value else []
+    if sorted([*kept, *told]) != sorted(obj.Provenance):
+        obj.Provenance = [*kept, *told]
 
 
 def _compute(obj, checked, diameter):
@@ -193,23 +250,3 @@ def _in_words(rod, diameter):
         f"Diameter {diameter:g} mm, {1e3 * rod.mass_per_length:.4g} g/m, EI {bending} N m², "
         f"GJ {rod.torsional_stiffness:.4g} N m²."
     )
-
-
-def _doubts(rod):
-    """Bounds on what a section of this diameter could be made of."""
-    inertia, area = pi * (2 * rod.radius) ** 4 / 64, pi * rod.radius**2
-    for name, modulus in (
-        ("bending", float(np.max(rod.bending_stiffness)) / inertia),
-        ("torsional", rod.torsional_stiffness / (2 * inertia)),
-    ):
-        if not MODULUS_BOUNDS[0] <= modulus <= MODULUS_BOUNDS[1]:
-            yield (
-                f"Warning: with this diameter, the {name} stiffness means a modulus of {modulus:.2g} Pa, outside "
-                f"{MODULUS_BOUNDS[0]:g} to {MODULUS_BOUNDS[1]:g} Pa; check its unit and the diameter."
-            )
-    density = rod.mass_per_length / area
-    if density and not DENSITY_BOUNDS[0] <= density <= DENSITY_BOUNDS[1]:
-        yield (
-            f"Warning: with this diameter, the mass means a density of {density:.2g} kg/m³, outside "
-            f"{DENSITY_BOUNDS[0]} to {DENSITY_BOUNDS[1]} kg/m³; check its unit and the diameter."
-        )

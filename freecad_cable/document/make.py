@@ -11,8 +11,8 @@ from contextlib import contextmanager
 
 from ..errors import DocumentError
 from .cable import Cable
-from .cable_type import CableType
-from .catalogue import catalogue
+from .cable_type import CHANGED, SOURCED, CableType
+from .catalogue import catalogue, entry
 from .centreline import Centreline
 from .material_card import read_card
 from .proxy import proxy_of
@@ -63,15 +63,17 @@ def ring(doc, reference, *, position=None, inside=None, **properties):
 
 
 def cable_type(doc, name, *, card=None, **properties):
-    """A cable type called ``name``; a built-in one (see ``catalogue``) has its numbers, another one those given.
+    """A cable type called ``name``; one of the library (see ``catalogue``) has its numbers, another one those given.
 
     ``card`` is the path of a material card. With it or with youngs_modulus, shear_modulus, density the stiffness
     follows from the material and outer_diameter. Other properties: mass_per_length, bending_stiffness,
-    second_bending_stiffness, torsional_stiffness, axial_stiffness, shear_stiffness, natural_curvature,
-    min_bend_radius, bend_radius_convention, provenance.
+    second_bending_stiffness, slip_bending_stiffness, stick_bending_stiffness, torsional_stiffness, axial_stiffness,
+    shear_stiffness, natural_curvature, min_bend_radius, min_bend_radius_moving, moving, bend_radius_convention,
+    provenance (text, or lines as "MassPerLength: measured, on our scale").
     """
-    known = catalogue().get(name, {"Provenance": "Not given"})
+    known = entry(name) or {}
     material = read_card(card) if card else {}
+    told = properties.pop("provenance", None) or material.pop("Provenance", ())
     with _made(doc, "App::FeaturePython", "CableType", CableType) as obj:
         obj.Label = name
         if card or {"youngs_modulus", "shear_modulus", "density"} & set(properties):
@@ -79,6 +81,7 @@ def cable_type(doc, name, *, card=None, **properties):
         for key, value in (known | material).items():
             setattr(obj, key, value)
         _apply(obj, properties)
+        _tell_sources(obj, [told] if isinstance(told, str) else list(told))
     return obj
 
 
@@ -151,6 +154,19 @@ def _support(doc, kind, reference, position, inside, properties):
     if position is not None:
         properties = {"slides": False, "position": position} | properties
     return _attached(doc, kind, reference, inside, properties)
+
+
+def _tell_sources(kind, lines):
+    """What is told of the numbers of a cable type, one by one or of all that were given, in place of what stood
+    there."""
+    names = {line.partition(": ")[0] for line in lines}
+    of_all = not names <= set(SOURCED)
+    kept = [
+        said
+        for said in kind.Provenance
+        if said.partition(": ")[0] not in names and not (of_all and said.endswith(f": {CHANGED}"))
+    ]
+    kind.Provenance = [*lines, *kept]
 
 
 def _check_supports(supports):

@@ -27,12 +27,14 @@ def read_card(path):
         shear = _quantity(path, entries, "ShearModulus", "Pa")
     else:
         shear = young / (2 * (1 + _quantity(path, entries, "PoissonRatio", "")))
-    name = entries.get("Name") or Path(path).stem
+    source = f"user, material card {entries.get('Name') or Path(path).stem}"
     return {
         "YoungsModulus": f"{young!r} Pa",
         "ShearModulus": f"{shear!r} Pa",
         "Density": f"{_quantity(path, entries, 'Density', 'kg/m^3')!r} kg/m^3",
-        "Provenance": f"Material card {name}",
+        "Provenance": [
+            f"{name}: {source}" for name in ("YoungsModulus", "ShearModulus", "Density")
+        ],
     }
 
 

@@ -11,8 +11,8 @@ from ..geometry import rotation
 from ..result import Solution
 from ..shape.units import from_si, vector_from_si
 from ..status import Status
-from .cable_type import doubts
 from .complaint import OBSTACLE, in_words
+from .doubts import doubts, unknowns
 from .obstacles import crowded
 from .property_table import Prop
 
@@ -125,7 +125,7 @@ def write(cable, solution: Solution):
 def write_status(cable, scene):
     """That it is solved, and warnings that do not make the shape wrong."""
     sentences = [Status.CONVERGED.value, *cable.LengthLimits, *cable.FormedPlaces]
-    sentences += [*doubts(cable.CableType), *crowded(scene)]
+    sentences += [*doubts(cable.CableType), *unknowns(cable.CableType), *crowded(scene)]
     # Enforced, it may lack what the mesh leaves between nodes.
     if cable.BendRadiusMode == "Check" and cable.BendRadiusMargin.Value < 0:
         sentences.append(_too_tight(cable))
