@@ -27,6 +27,10 @@ class SolverMissingError(CableError, ImportError):
     """CasADi is not installed."""
 
 
+class StoppedError(CableError):
+    """Whoever watched a solve has stopped it."""
+
+
 class SolveError(CableError):
     """No equilibrium was found; raised on request only and carries the solution with its status."""
 

@@ -4,21 +4,20 @@
 import Part
 from FreeCAD import Placement, Vector
 
-from ..equilibrium import find_equilibrium
 from ..errors import CableError, DocumentError, ProblemError
 from ..options import EFFECTS
 from ..shape.centreline import centreline_wire
 from ..shape.profile import profile
 from ..shape.sweep import sweep_profile, sweep_round
 from ..status import Status
-from . import results, stored_solution
+from . import results, solving, stored_solution
 from .complaint import in_properties, in_words
 from .doubts import doubts
 from .property_table import Prop, wrong
 from .proxy import IncompleteError, Proxy, in_use
 from .read_scene import read_scene
 from .reference import rebase
-from .stored_solution import fingerprint, keep, kept, nodes
+from .stored_solution import fingerprint, keep, nodes
 
 PROFILE_DECIMALS = 7
 """Of the coordinates of a profile in mm: OCCT's smallest distance."""
@@ -85,6 +84,15 @@ class Cable(Proxy):
             "Error of position asked for, relative to the length",
             1e-4,
         ),
+        Prop(
+            "Update",
+            "Enumeration",
+            "Cable",
+            "When it is solved. Manual: when asked to. On recompute: with the document. Live: also by itself, when "
+            "what holds it moves in the window",
+            "On recompute",
+            choices=solving.UPDATES,
+        ),
         *(
             Prop(
                 f"Keep{effect.capitalize()}",
@@ -143,19 +151,31 @@ class Cable(Proxy):
             obj.Placement = Placement()
         scene = read_scene(obj)
         inputs = fingerprint(scene)
-        if obj.SolvedInputs != inputs:
-            solution = _solved(obj, scene)
+        if obj.SolvedInputs == inputs:
+            solving.drop(obj)
+        else:
+            solution = _solved(obj, scene, inputs)
+            if solution is None:
+                self._wait(obj)
+                return
             if not solution.status.success:
                 raise _unsolved(obj, solution)
             keep(obj, solution)
             results.write(obj, solution)
             obj.SolvedInputs = inputs
+        obj.OutOfDate = False
         results.write_status(obj, scene)
         self._sweep(obj, scene, inputs)
 
     def clear(self, obj, sentence):
         super().clear(obj, sentence)
         obj.SolvedInputs = obj.SweptInputs = ""
+        solving.drop(obj)
+
+    def _wait(self, obj):
+        """The last good answer stays, and says that it is an old one."""
+        obj.OutOfDate = True
+        obj.Status = solving.why_waiting(obj)
 
     def _sweep(self, obj, scene, inputs):
         try:
@@ -171,9 +191,9 @@ class Cable(Proxy):
         obj.Shape, obj.SweptInputs = shape, inputs
 
 
-def _solved(obj, scene):
+def _solved(obj, scene, inputs):
     try:
-        return find_equilibrium(scene, start=kept(obj, scene))
+        return solving.solution(obj, scene, inputs)
     except ProblemError as error:
         raise in_properties(obj, error) from None
     except CableError as error:

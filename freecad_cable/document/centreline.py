@@ -21,8 +21,7 @@ class Centreline(Child):
     def set_editor_modes(self, obj):
         obj.setEditorMode("Placement", 2)
 
-    def run(self, obj):
-        cable = self.solved_cable(obj)
+    def follow(self, obj, cable):
         obj.Placement = Placement()
         obj.Shape = centreline_wire(nodes(cable))
         obj.Length = obj.Shape.Length

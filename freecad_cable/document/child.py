@@ -23,9 +23,18 @@ class Child(Proxy):
             raise wrong(obj, "Cable", f"is {cable.Label}, which is no cable; choose a cable.")
         return cable
 
-    def solved_cable(self, obj):
-        """The same, with an answer."""
+    def run(self, obj):
         cable = self.linked_cable(obj)
+        if cable.OutOfDate and not cable.SolvedInputs:
+            self.clear(obj, cable.Status)  # it is being solved for the first time
+        else:
+            self.follow(obj, self._solved(cable))
+
+    def follow(self, obj, cable):
+        """What ``execute`` does with a cable that has an answer."""
+        raise NotImplementedError
+
+    def _solved(self, cable):
         if not cable.SolvedInputs:
             raise DocumentError(cable.Status or f"{cable.Label} is not solved; recompute it.")
         return cable

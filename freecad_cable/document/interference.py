@@ -140,6 +140,8 @@ def _roots(doc):
 
 def _course(run) -> _Course:
     cable = run.cable
+    if cable.OutOfDate:
+        raise DocumentError(cable.Status)
     made, scene = tube(run), read_held(cable)
     ends = zip((scene.start, scene.end), (0, -1), strict=True)
     held = [at for end, at in ends if not isinstance(end, Free)] + list(cable.NodeOfSupport)

@@ -82,6 +82,11 @@ TABLE = tuple(
         ("SolveTime", "Float", "Time of the last solve, in s"),
         ("ModelUsed", "StringList", "What the model has and what was left out of it, and why"),
         ("Stable", "Bool", "Whether the cable stays in this shape"),
+        (
+            "OutOfDate",
+            "Bool",
+            "Whether shape and numbers are those from before the last change, because it is not solved yet",
+        ),
         ("Status", "String", "How the solve ended, and what to look at"),
     )
 )

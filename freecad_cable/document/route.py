@@ -70,8 +70,7 @@ class Route(Child):
     def set_editor_modes(self, obj):
         obj.setEditorMode("Placement", 2)
 
-    def run(self, obj):
-        cable = self.solved_cable(obj)
+    def follow(self, obj, cable):
         self._draw(obj, cable)
         difference = compare(*(to_si("length", x) for x in (obj.Length, cable.SolvedLength)))
         obj.LengthDifference = from_si("length", difference.absolute)

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The front door of the core: a scene in, its equilibrium out."""
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 
 from ..errors import ProblemError, SolverMissingError
@@ -21,18 +24,23 @@ HEAVIEST = 5e6
 """Weight ratio above which no case was ever solved; a wrong unit is likelier than such a cable."""
 
 
-def find_equilibrium(scene: Scene, *, start: Solution | None = None) -> Solution:
+def find_equilibrium(
+    scene: Scene, *, start: Solution | None = None, watch: Callable[[str], None] | None = None
+) -> Solution:
     """The stable equilibrium of a scene, to the tolerance of its options.
 
     ``start``, the solution of a scene that differs little, keeps the branch that the cable is on and is quicker;
     one that differs much is ignored. Where the scene asks for its length, that is found too.
+    ``watch`` is called before each run of a solver, with what is about to be done; what it raises ends the search
+    (``StoppedError`` is there for that).
     Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi.
     """
+    solve = find_equilibrium if watch is None else partial(find_equilibrium, watch=watch)
     if scene.asks_length:
-        return shortest(scene, find_equilibrium)
+        return shortest(scene, solve)
     if stretches.cuts(scene):
-        return stretches.solved(scene, find_equilibrium, start)
-    problem = _problem(scene)
+        return stretches.solved(scene, solve, start)
+    problem = _problem(scene, watch)
     if isinstance(problem, Solution):
         return problem
     from ..solve.effects import find
@@ -69,7 +77,7 @@ def find_equilibria(scene: Scene) -> list[Solution]:
     return [solution(problem, trial) for trial in find_all(problem)]
 
 
-def _problem(scene):
+def _problem(scene, watch=None):
     """The ``Problem`` of a scene, or the ``Solution`` that says why it is none. Enters the rooms that need CasADi."""
     model = reduce(scene)
     if (sentence := _without_slack(scene)) is not None:
@@ -83,7 +91,7 @@ def _problem(scene):
             "CasADi is not installed, so no cable can be solved; what was solved before can still be seen. "
             "Install it with: python3 -m pip install --no-deps casadi"
         ) from error
-    problem = Problem.of(scene, model)
+    problem = Problem.of(scene, model, watch)
     if problem.scaling.weight_ratio > HEAVIEST:
         message = (
             f"{Status.NOT_CONVERGED.value} Its weight against its bending stiffness, w L³/EI, is "

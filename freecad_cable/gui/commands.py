@@ -6,6 +6,7 @@ import FreeCADGui
 
 from ..errors import CableError
 from .icons import icon
+from .macro import named
 from .selection import has_proxy, picked
 
 
@@ -22,7 +23,10 @@ class Command:
         return {"MenuText": self.menu_text, "ToolTip": self.tooltip, "Pixmap": icon(self.pixmap)}
 
     def IsActive(self):
-        return FreeCAD.ActiveDocument is not None and self.lines(picked()) is not None
+        # Under an open panel a command would end its step of undo.
+        if FreeCAD.ActiveDocument is None or FreeCADGui.Control.activeDialog():
+            return False
+        return self.lines(picked()) is not None
 
     def Activated(self):
         document = FreeCAD.ActiveDocument
@@ -39,7 +43,11 @@ class Command:
             document.abortTransaction()
             raise
         else:
-            document.commitTransaction()
+            self.finish(document)
+
+    def finish(self, document):
+        """The lines have run."""
+        document.commitTransaction()
 
 
 class TerminalCommand(Command):
@@ -68,6 +76,12 @@ class CableCommand(Command):
             ]
         return None
 
+    def finish(self, document):
+        """Its panel opens; what is done there is the same step of undo."""
+        cable = [obj for obj in document.Objects if has_proxy(obj, "Cable")][-1]
+        if not FreeCADGui.getDocument(document.Name).setEdit(cable.Name):
+            document.commitTransaction()
+
 
 class SupportCommand(Command):
     """A support on the picked edge or face, and in its place along a picked cable."""
@@ -83,7 +97,7 @@ class SupportCommand(Command):
         cables = [_existing(p, "Cable") for p in picks if not p.connector]
         if len(places) != 1 or len(cables) > 1 or not all(cables):
             return None
-        reference = f"({_named(places[0].root)}, {places[0].path!r})"
+        reference = f"({named(places[0].root)}, {places[0].path!r})"
         # Whoever wants it at a certain length of the cable gives it a position afterwards.
         made = f"support = make.{self.kind}(App.ActiveDocument, {reference}, slides=True"
         if not cables:
@@ -132,7 +146,7 @@ class InterferenceCommand(Command):
 
 
 def _terminal(pick):
-    return f"make.terminal(App.ActiveDocument, ({_named(pick.root)}, {pick.path!r}))"
+    return f"make.terminal(App.ActiveDocument, ({named(pick.root)}, {pick.path!r}))"
 
 
 def _only_cable(picks):
@@ -141,11 +155,7 @@ def _only_cable(picks):
 
 
 def _existing(pick, proxy):
-    return _named(pick.object) if has_proxy(pick.object, proxy) else None
-
-
-def _named(obj):
-    return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
+    return named(pick.object) if has_proxy(pick.object, proxy) else None
 
 
 COMMANDS = {

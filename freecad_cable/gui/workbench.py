@@ -4,11 +4,17 @@
 import FreeCADGui
 
 from ..document import view_hook
-from . import views
 from .icons import icon
 
+
+def _attach(obj):
+    from . import views
+
+    views.attach(obj)
+
+
 # Documents are opened and macros run before anyone uses the workbench.
-view_hook.attach = views.attach
+view_hook.attach = _attach
 
 
 class CableWorkbench(FreeCADGui.Workbench):

@@ -2,6 +2,7 @@
 """One solve of one scene on one mesh, and what is known about its answer."""
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -147,12 +148,15 @@ class Problem:
     iterations: int = field(default=0)
     solve_time: float = field(default=0.0)
     build_time: float = field(default=0.0)
+    watch: Callable[[str], None] | None = field(default=None)
+    """called before each run of a solver; see ``find_equilibrium``"""
     formed: bool = field(default=False)
     """whether the cable must be formed to keep its bend radius; first it is solved as if it need not"""
 
     @classmethod
-    def of(cls, scene: Scene, model: Model) -> "Problem":
-        return cls(scene, model, Scaling.of(scene), time.perf_counter() + scene.options.time_limit)
+    def of(cls, scene: Scene, model: Model, watch=None) -> "Problem":
+        deadline = time.perf_counter() + scene.options.time_limit
+        return cls(scene, model, Scaling.of(scene), deadline, watch=watch)
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:
@@ -222,6 +226,8 @@ class Problem:
         for name, near in self._attempts(nlp, start, fallback):
             if time.perf_counter() > self.deadline:
                 raise TimeUpError
+            if self.watch is not None:
+                self.watch(f"{self.scene.rod.length:.4g} m in {len(start.steps)} elements")
             self.build_time += backend.first_use(nlp.structure, name, near)
             raw = backend.minimise(nlp, name, near, x0, parameters, lam0)
             self.iterations += raw.iterations

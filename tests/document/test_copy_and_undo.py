@@ -8,13 +8,12 @@ from FreeCAD import Vector
 from reader import seen
 from scenes import DocumentTest
 
-from freecad_cable.document import cable as cable_module
-from freecad_cable.document import make
+from freecad_cable.document import make, solving
 
 
 def no_solve():
     """Whoever solves in here fails."""
-    return mock.patch.object(cable_module, "find_equilibrium", side_effect=AssertionError("solved"))
+    return mock.patch.object(solving, "find_equilibrium", side_effect=AssertionError("solved"))
 
 
 class CopyTest(DocumentTest):

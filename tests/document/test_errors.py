@@ -9,8 +9,7 @@ import Part
 from FreeCAD import Vector
 from scenes import TOP, DocumentTest
 
-from freecad_cable.document import cable as cable_module
-from freecad_cable.document import make
+from freecad_cable.document import make, solving
 from freecad_cable.errors import SolverMissingError
 from freecad_cable.status import Status
 
@@ -142,7 +141,7 @@ class ErrorTest(DocumentTest):
             self.assertEqual(self.cable.Shape.ShapeType, "Wire")
 
     def solving(self, outcome):
-        return mock.patch.object(cable_module, "find_equilibrium", **outcome)
+        return mock.patch.object(solving, "find_equilibrium", **outcome)
 
     def test_without_casadi_the_route_is_drawn(self):
         error = SolverMissingError("CasADi is not installed, so no cable can be solved.")
@@ -219,7 +218,7 @@ class WarningTest(DocumentTest):
         self.assertIn(said, self.cable.Status)
         self.cable.Length = "310 mm"
         failed = SimpleNamespace(status=Status.NOT_CONVERGED, message="Not found.")
-        with mock.patch.object(cable_module, "find_equilibrium", return_value=failed):
+        with mock.patch.object(solving, "find_equilibrium", return_value=failed):
             self.assertFailed(self.cable, "Not found.", said)
 
     def test_a_stiffness_without_its_unit_is_in_the_internal_one(self):

@@ -16,8 +16,7 @@ from reader import seen
 from scenes import DocumentTest
 
 import freecad_cable
-from freecad_cable.document import cable as cable_module
-from freecad_cable.document import make
+from freecad_cable.document import make, solving
 from freecad_cable.document.stored_solution import NODES
 
 ASIDE = Placement(Vector(0, 0, 30), Rotation())
@@ -64,7 +63,7 @@ class FileTest(DocumentTest):
                 self.assertEqual(now[name], before, name)
 
     def test_it_reopens_and_recomputes_without_solving(self):
-        with mock.patch.object(cable_module, "find_equilibrium", side_effect=AssertionError):
+        with mock.patch.object(solving, "find_equilibrium", side_effect=AssertionError):
             cable = self.reopen()
             self.assertSame(seen(cable))
             for obj in self.doc.Objects:
@@ -114,13 +113,13 @@ class FileTest(DocumentTest):
 
     def test_it_solves_on_from_where_it_was(self):
         cable = self.reopen()
-        find, starts = cable_module.find_equilibrium, []
+        find, starts = solving.find_equilibrium, []
 
         def spy(scene, *, start=None):
             starts.append(start)
             return find(scene, start=start)
 
-        with mock.patch.object(cable_module, "find_equilibrium", spy):
+        with mock.patch.object(solving, "find_equilibrium", spy):
             cable.Length = "310 mm"
             self.compute()
         (start,) = starts

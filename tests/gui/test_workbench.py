@@ -9,7 +9,7 @@ import FreeCADGui
 import Part
 from PySide import QtGui
 
-from freecad_cable.document import make
+from freecad_cable.document import make, solving
 from freecad_cable.errors import DocumentError
 from freecad_cable.gui.commands import COMMANDS
 
@@ -68,6 +68,11 @@ class CommandTest(unittest.TestCase):
         """The objects that a command made, checked to be one step of undo."""
         before, steps = self.names(), self.document.UndoCount
         FreeCADGui.runCommand(name)
+        if FreeCADGui.Control.activeDialog():
+            QtGui.QApplication.processEvents()
+            boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+            (box,) = (each for each in boxes if each.isVisible())
+            box.button(QtGui.QDialogButtonBox.Ok).click()
         made = self.names() - before
         self.assertEqual(self.document.UndoCount, steps + 1)
         self.document.undo()
@@ -175,6 +180,7 @@ class CommandTest(unittest.TestCase):
         cable = self.cable()
         self.select(f"Unit.{cable.Name}.")
         FreeCADGui.runCommand("Cable_Shortest")
+        solving.wait(self.document)
         self.assertEqual(cable.LengthMode, "Shortest")
         self.assertTrue(cable.isValid(), cable.Status)
         self.assertLess(cable.SolvedLength.Value, 240)
