@@ -10,7 +10,7 @@ from ..shape.centreline import centreline_wire
 from ..shape.profile import profile
 from ..shape.sweep import sweep_profile, sweep_round
 from ..status import Status
-from . import results, solving, stored_solution
+from . import cut, results, solving, stored_solution
 from .complaint import in_properties, in_words
 from .doubts import doubts
 from .property_table import Prop, wrong
@@ -116,6 +116,7 @@ class Cable(Proxy):
             "Its centreline, drawn as a wire of its own",
             result=True,
         ),
+        *cut.TABLE,
         *results.TABLE,
         *stored_solution.TABLE,
     )
@@ -165,6 +166,7 @@ class Cable(Proxy):
             obj.SolvedInputs = inputs
         obj.OutOfDate = False
         results.write_status(obj, scene)
+        cut.write(obj)
         self._sweep(obj, scene, inputs)
 
     def clear(self, obj, sentence):

@@ -79,7 +79,7 @@ def report(doc, solids=None, limit="10 mm") -> list[Row]:
     count to a twentieth of the radius of the cable. Errors: ``DocumentError`` if an argument is none.
     """
     limit = _limit(limit)
-    found = [each for root in _roots(doc) for each in pieces(root, "")]
+    found = [each for root in roots(doc) for each in pieces(root, "")]
     courses, rows = [], []
     for run in found:
         if isinstance(run, Run):
@@ -131,7 +131,7 @@ def _limit(value):
     return to_si("length", limit)
 
 
-def _roots(doc):
+def roots(doc):
     """What stands at the top of the document and can be seen."""
     for obj in doc.Objects:
         if obj.Visibility and container(obj) is None and not is_plain_group(obj):

@@ -102,7 +102,8 @@ def cable(
     ``length`` ("730 mm") or ``slack``, (length − distance) / distance; neither: 10 % slack. ``cable_type`` None:
     the first of the document, or a built-in one. ``supports`` in order along the cable. ``obstacles`` is an object, a
     list of them, or of (assembly, "Part.Body."). Properties: clearance, length_mode ("Shortest"),
-    bend_radius_mode ("Check", "Enforce"), gravity (m/s²), tolerance, profile.
+    bend_radius_mode ("Check", "Enforce"), gravity (m/s²), tolerance, profile, start_allowance, end_allowance,
+    round_up_to.
     """
     if length is not None and slack is not None:
         raise DocumentError("A cable has either a length or a slack; give one of them.")

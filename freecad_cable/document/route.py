@@ -85,7 +85,7 @@ class Route(Child):
 
     def _draw(self, obj, cable):
         """Shape, length and bend radius, unless they stand: few routes depend on the length of the cable."""
-        scene = _scene(cable, obj.Method)
+        scene = routed_scene(cable, obj.Method)
         drawn = fingerprint(inputs(obj.Method, scene))
         if not obj.Placement.isIdentity():
             obj.Placement = Placement()
@@ -102,8 +102,9 @@ class Route(Child):
         obj.DrawnInputs = drawn
 
 
-def _scene(cable, method):
-    """With the length that was found, where it is what the cable asks for."""
+def routed_scene(cable, method):
+    """The scene that a method of ``METHODS`` takes: with the length that was found, where it is what the cable asks
+    for. Errors: ``DocumentError``."""
     scene = read_held(cable)
     if not scene.asks_length:
         return scene
