@@ -5,7 +5,7 @@ from unittest import mock
 
 from scenes import DocumentTest
 
-from freecad_cable.document import cable as cable_module
+from freecad_cable.document import solving
 
 
 class CutTest(DocumentTest):
@@ -13,7 +13,7 @@ class CutTest(DocumentTest):
         cable = self.cable_between_pins(length="300 mm")
         self.compute()
         self.assertEqual(cable.CutLength.Value, 300)
-        with mock.patch.object(cable_module, "find_equilibrium", side_effect=AssertionError):
+        with mock.patch.object(solving, "find_equilibrium", side_effect=AssertionError):
             for start, end, step, expected in (
                 (8, 12, 0, 320),
                 (8, 12, 50, 350),

@@ -240,6 +240,14 @@ class ReportTest(DocumentTest):
         self.assertIn("out of date", entry.sentence)
         self.assertIn("310.0", self.page().text)
 
+    def test_a_cable_that_is_solved_only_when_asked_shows_no_old_numbers(self):
+        self.cable.Update = "Manual"
+        self.cable.Length = "310 mm"
+        text = self.page().text
+        self.assertIn("Not solved: 1", text)
+        self.assertIn("Out of date: Update is Manual", text)
+        self.assertNotIn("300.0", text)
+
     def test_a_document_without_cables(self):
         for obj in (self.cable.Centreline, self.cable):
             self.doc.removeObject(obj.Name)

@@ -119,7 +119,7 @@ def collect(doc) -> list[Entry]:
 
 
 def _entry(cable, near):
-    if not cable.isValid() or not cable.SolvedInputs:
+    if not cable.isValid() or not cable.SolvedInputs or cable.OutOfDate:
         return Entry(cable, cable.Label, cable.Status or OUT_OF_DATE)
     if "Touched" in cable.State:
         return Entry(cable, cable.Label, OUT_OF_DATE)

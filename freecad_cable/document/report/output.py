@@ -9,6 +9,7 @@ import FreeCAD
 
 from ... import __version__
 from ...errors import DocumentError
+from .. import solving
 from .drawing import outlines
 from .entry import collect
 from .page import page
@@ -26,6 +27,7 @@ def write(doc, folder, *, picture=None) -> Path:
     cannot be written.
     """
     doc.recompute()
+    solving.wait(doc)
     entries = collect(doc)
     sheet(doc, entries)
     doc.recompute()
