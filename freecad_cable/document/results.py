@@ -162,7 +162,10 @@ def _write_contacts(cable, solution):
     cable.ContactForces = [Vector(*contact.force.tolist()) for contact in contacts]
     cable.ContactPlaces = [from_si("length", contact.arc_length) for contact in contacts]
     cable.ContactObstacles = [
-        obstacles[contact.obstacle].place.removeprefix(OBSTACLE) for contact in contacts
+        "the cable itself"
+        if contact.obstacle is None
+        else obstacles[contact.obstacle].place.removeprefix(OBSTACLE)
+        for contact in contacts
     ]
 
 

@@ -4,6 +4,8 @@
 import numpy as np
 
 from ..geometry.runs import runs
+from ..geometry.self_contact import self_penetrations
+from ..problem import Free
 from ..result import (
     Balance,
     Contact,
@@ -13,7 +15,6 @@ from ..result import (
     Solution,
     balance,
     end_violation,
-    self_penetration,
     smallest_bend_radius,
     support_violation,
 )
@@ -35,7 +36,7 @@ def solution(problem, trial) -> Solution:
     position = scaling.origin + shape.position * length
     force, moment = shape.force * scaling.force, shape.moment * scaling.energy
     curvature = shape.strain[:, :3] / length
-    pushes = trial.contact_forces * scaling.force if trial.touches else None
+    pushes = trial.pushes * scaling.force
     check = _balance(rod, scene.weight, scaling, shape, pushes)
     nodes = tuple(joint.node for joint in shape.joints)
     violation = max(
@@ -44,8 +45,10 @@ def solution(problem, trial) -> Solution:
     )
     depth = problem.surroundings.deepest(shape) * length
     status, message = _verdict(scene, trial, check, violation, depth)
-    if status.success:
-        message += _through_itself(rod, arc_length, position, shape.quaternion)
+    if status.success and (
+        sentence := through_itself(scene, arc_length, position, shape.quaternion, nodes)
+    ):
+        status, message = Status.INACCURATE, f"{Status.INACCURATE.value} {sentence}"
     return Solution(
         scene=scene,
         status=status,
@@ -57,10 +60,10 @@ def solution(problem, trial) -> Solution:
         moment=moment,
         curvature=curvature,
         energy=_energy(problem, trial),
-        start_reaction=Load(-force[0], -moment[0]),
-        end_reaction=Load(force[-1], moment[-1]),
+        start_reaction=Load(-force[0] - pushes[0], -moment[0]),
+        end_reaction=Load(force[-1] - pushes[-1], moment[-1]),
         support_reactions=tuple(
-            Load(joint.force * scaling.force, joint.moment * scaling.energy)
+            Load(joint.force * scaling.force - pushes[joint.node], joint.moment * scaling.energy)
             for joint in shape.joints
         ),
         support_nodes=nodes,
@@ -69,7 +72,7 @@ def solution(problem, trial) -> Solution:
             for part in shape.parts()
         ),
         formed=_formed(problem, trial) if trial.nlp.structure.bend_limit else (),
-        contacts=() if pushes is None else _contacts(trial.owners, pushes, arc_length),
+        contacts=_contacts(problem, trial) if trial.touches else (),
         min_clearance=_clearance(problem, shape),
         stable=trial.stable,
         position_error=trial.error * length,
@@ -84,18 +87,31 @@ def solution(problem, trial) -> Solution:
     )
 
 
-def _through_itself(rod, arc_length, position, quaternion):
-    """A sentence if it does: nothing in the program keeps the cable from it."""
-    found = self_penetration(arc_length, position, quaternion, rod.radius)
-    if found is None or found[0] < 0.01 * rod.radius:
-        return ""
-    depth, here, there = found
-    return f" But it runs through itself at {here:.3g} m and {there:.3g} m, {depth:.2g} m deep."
+DEEP = 0.01
+"""Depth, in radii, to which a cable may be in itself."""
+
+
+def through_itself(scene, arc_length, position, quaternion, support_nodes) -> str | None:
+    """A sentence if the cable runs through itself, as a shape has it from which no way out was found."""
+    held = list(support_nodes)
+    held += [0] * (not isinstance(scene.start, Free))
+    held += [len(arc_length) - 1] * (not isinstance(scene.end, Free))
+    radius = scene.rod.radius
+    found = self_penetrations(arc_length, position, quaternion, radius, sorted(held))
+    if not found or found[0][0] < DEEP * radius:
+        return None
+    depth, here, there = found[0]
+    return (
+        f"The cable runs through itself at {here:.3g} m and {there:.3g} m, {depth:.2g} m deep, and no equilibrium was "
+        "found in which it does not; change its length or what holds it."
+    )
 
 
 def _balance(rod, weight, scaling, shape, pushes):
     """The worst of the stretches between supports."""
     nodes = shape.ends
+    between = pushes.copy()
+    between[nodes] = 0.0  # goes into what holds the cable there
     found = [
         balance(
             rod,
@@ -104,7 +120,7 @@ def _balance(rod, weight, scaling, shape, pushes):
             scaling.origin + part.position * scaling.length,
             part.quaternion,
             part.force * scaling.force,
-            None if pushes is None else pushes[a : b + 1].sum(axis=1),
+            between[a : b + 1],
         )
         for part, a, b in zip(shape.parts(), nodes, nodes[1:], strict=False)
     ]
@@ -129,15 +145,26 @@ def _formed(problem, trial):
     )
 
 
-def _contacts(owners, pushes, arc_length):
-    """One contact for each run of nodes that an obstacle pushes: pushes (n+1, contacts, 3) [N]."""
-    found = []
-    for obstacle in np.unique(owners[owners >= 0]):
+def _contacts(problem, trial):
+    """One contact for each run of nodes that an obstacle pushes, and two for each in which the cable touches itself."""
+    scaling, owners = problem.scaling, trial.owners
+    arc_length = trial.shape.arc_length * scaling.length
+    pushes, found = trial.contact_forces * scaling.force, []
+    for obstacle in () if owners is None else np.unique(owners[owners >= 0]):
         force = (pushes * (owners == obstacle)[..., None]).sum(axis=1)
         size = np.linalg.norm(force, axis=1)
         for a, b in runs(size > 0):
             middle = np.average(arc_length[a:b], weights=size[a:b])
             found.append(Contact(float(middle), int(obstacle), force[a:b].sum(axis=0)))
+    touches = trial.with_itself
+    for place in touches.places(problem.own.radius):
+        size = np.linalg.norm(touches.forces[place], axis=1)
+        here, there = (
+            float(np.average(each[place], weights=size)) * scaling.length
+            for each in (touches.here, touches.there)
+        )
+        force = touches.forces[place].sum(axis=0) * scaling.force
+        found += [Contact(here, None, force, there), Contact(there, None, -force, here)]
     return tuple(sorted(found, key=lambda contact: contact.arc_length))
 
 

@@ -39,7 +39,13 @@ def find_equilibrium(
     if scene.asks_length:
         return shortest(scene, solve)
     if stretches.cuts(scene):
-        return stretches.solved(scene, solve, start)
+        found = stretches.solved(scene, solve, start)
+        if not stretches.touch(found):
+            return found
+    return _in_one_piece(scene, start, watch)
+
+
+def _in_one_piece(scene, start, watch):
     problem = _problem(scene, watch)
     if isinstance(problem, Solution):
         return problem

@@ -124,8 +124,9 @@ def _sample(scene, length, solve, last) -> Sample:
                 f"it bends to {radius:.4g} m at {place:.4g} m, and {rod.min_bend_radius:.4g} m is the limit",
             )
         )
-    if scene.clearance > 0 and solution.contacts:
-        first = solution.contacts[0]
+    with_obstacles = [c for c in solution.contacts if c.obstacle is not None]
+    if scene.clearance > 0 and with_obstacles:
+        first = with_obstacles[0]
         place = scene.obstacles[first.obstacle].place
         found.append(
             (

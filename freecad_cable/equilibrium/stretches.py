@@ -10,6 +10,7 @@ from ..geometry import rotation
 from ..problem import Clamp, Clamped, Scene
 from ..result import Balance, Energy, Load, Solution
 from ..status import Status
+from .answer import through_itself
 
 
 def cuts(scene: Scene) -> list[int]:
@@ -36,6 +37,14 @@ def solved(scene: Scene, solve, start: Solution | None) -> Solution:
             message = f"The stretch {where}: {found[-1].message}"
             return replace(found[-1], scene=scene, message=message, stretches=())
     return _joined(scene, found, kept)
+
+
+def touch(solution) -> bool:
+    """Whether one stretch runs through another: then they are no longer independent."""
+    if not solution.status.success:
+        return False
+    nodes = solution.arc_length, solution.position, solution.quaternion
+    return through_itself(solution.scene, *nodes, solution.support_nodes) is not None
 
 
 def _split(scene) -> list[Scene]:
@@ -130,7 +139,13 @@ def _joined(scene, parts, kept) -> Solution:
             for piece in part.formed
         ),
         contacts=tuple(
-            replace(contact, arc_length=contact.arc_length + a)
+            replace(
+                contact,
+                arc_length=contact.arc_length + a,
+                other_arc_length=None
+                if contact.other_arc_length is None
+                else contact.other_arc_length + a,
+            )
             for part, a in zip(parts, offsets, strict=True)
             for contact in part.contacts
         ),

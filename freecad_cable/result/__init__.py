@@ -5,7 +5,6 @@ from .balance import Balance, balance
 from .bend import smallest_bend_radius
 from .ends import end_violation, support_violation
 from .near import is_near
-from .self_contact import self_penetration
 from .solution import Contact, Energy, Formed, LengthBound, Load, Solution
 
 __all__ = [
@@ -19,7 +18,6 @@ __all__ = [
     "balance",
     "end_violation",
     "is_near",
-    "self_penetration",
     "smallest_bend_radius",
     "support_violation",
 ]

@@ -21,14 +21,16 @@ class Load:
 
 @dataclass(frozen=True)
 class Contact:
-    """What an obstacle exerts on one place of the cable."""
+    """What an obstacle, or another part of the cable, exerts on one place of it."""
 
     arc_length: float
     """[m] of the middle of the force"""
-    obstacle: int
-    """index of the scene's obstacle"""
+    obstacle: int | None
+    """index of the scene's obstacle; None where the cable touches itself"""
     force: np.ndarray
     """(3,) [N] on the cable, summed over the place"""
+    other_arc_length: float | None = None
+    """[m] of the other place, where the cable touches itself"""
 
 
 @dataclass(frozen=True)

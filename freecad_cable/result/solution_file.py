@@ -26,7 +26,12 @@ def solution_data(solution: Solution) -> dict:
         "min_bend_radius": radius and {"value": _plain(radius[0]), "arc_length": radius[1]},
         "formed": [asdict(piece) for piece in solution.formed],
         "contacts": [
-            {"arc_length": c.arc_length, "obstacle": c.obstacle, "force": _plain(c.force)}
+            {
+                "arc_length": c.arc_length,
+                "obstacle": c.obstacle,
+                "other_arc_length": c.other_arc_length,
+                "force": _plain(c.force),
+            }
             for c in solution.contacts
         ],
         "min_clearance": _plain(solution.min_clearance),

@@ -93,6 +93,7 @@ def built(structure: Structure, name: str, near: bool = False):
             "sb": "yes",
             "tol": TOLERANCE,
             "max_iter": ITERATIONS,
+            **({"mu_init": NEARBY["mu_init"]} if structure.links else {}),
         }
     options["cache"] = _derivatives(nlp, name)
     program = {"x": nlp.x, "g": nlp.g, "f": nlp.f, "p": nlp.p}

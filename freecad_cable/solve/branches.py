@@ -35,6 +35,7 @@ def find_all(problem: Problem) -> list[Trial]:
             answer = search.refined(problem, trial)
             if problem.surroundings.obstacles:
                 answer = contact.around(problem, answer)
+            answer = answer and search.apart(problem, answer)
             if answer is not None and not any(_same(answer, other) for _, other in found):
                 found.append((trial, answer))
     except TimeUpError:

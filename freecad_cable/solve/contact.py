@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A cable among obstacles: first as if there were none, then around those that it would enter.
+"""A cable among obstacles: first as if there were none, then around those that it would enter. Likewise with itself.
 
 Nodes keep away from the nearest features of the obstacles. Where a feature is all of the obstacle near a node (a
 plane, a ball, the side of a cylinder) one solve is exact; else features are looked up anew at the nodes of the last
@@ -23,6 +23,13 @@ PASSES = 12
 """Lookups of features after which an attempt ends."""
 SETTLED = 1e-3
 """Change of a gap, in radii of the cable, below which a feature has been looked up often enough."""
+OWN_SETTLED = 1e-5
+"""The same where the cable touches itself: two parts side by side are a hinge that turns by a small gap over a short
+length. The solvers leave 1e-6."""
+LINED = 6
+"""Nodes from which a contact of the cable with itself is one along a line."""
+FAINT = 0.01
+"""Share of the largest force of a place below which a node is not taken to touch."""
 FIRST = 64
 """Elements of the first mesh."""
 MESHES = (96, 96, 128, 128, 192, 256)
@@ -43,12 +50,12 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
     best = None
     try:
         for start in detours(problem, trial, fixed or FIRST):
-            found = _settled(problem, start, leaving=True)
+            found = _settled(problem, start, leaving=1)
             if found is None:
                 continue
             found = descended(
                 found,
-                lambda shape: _settled(problem, shape, leaving=True),
+                lambda shape: _settled(problem, shape, leaving=1),
                 0.05,
                 lambda t: t.stable,
             )
@@ -64,31 +71,64 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
     return best
 
 
+def apart(problem: Problem, trial: Trial) -> Trial:
+    """The equilibrium of a cable that keeps away from itself, from one that may run through itself: the same if it does
+    not, and if no other is found."""
+    places = problem.own.mesh_places(trial.shape)
+    if not places:
+        return trial
+    problem.apart, fixed = True, problem.scene.options.elements
+    try:
+        for side in (1, -1):
+            shape = trial.shape
+            if fixed is None:
+                shape = shape.on(mesh.gathered(shape, MESHES[0], places, problem.own.radius))
+            found = _settled(problem, shape, leaving=side, fallback=True)
+            if found is None:
+                continue
+            found = descended(
+                found,
+                lambda shape: _settled(problem, shape, fallback=True),
+                0.02,
+                lambda t: t.stable,
+            )
+            if fixed is None:
+                found = _gathered(problem, found)
+            if found.stable and not problem.own.depths(found.shape):
+                return found
+    except TimeUpError:
+        pass
+    problem.apart = False
+    return trial
+
+
 def _rank(trial, around_it):
     return around_it.deepest(trial.shape), not trial.stable, trial.energy
 
 
 def resumed(problem: Problem, warm: Shape) -> Trial | None:
     """The equilibrium from an earlier one in contact; None if there is none near, or none in contact."""
-    if problem.surroundings.between(warm).min(initial=np.inf) > problem.surroundings.radius:
+    known = warm.error is not None
+    problem.apart = known and problem.own.links(warm, problem.own.radius) is not None
+    clear = problem.surroundings.between(warm).min(initial=np.inf) > problem.surroundings.radius
+    if clear and not problem.apart:
         return None
-    found = _settled(problem, warm, BESIDE, fallback=warm.error is not None)
+    found = _settled(problem, warm, BESIDE, fallback=known)
     if found is None or not found.touches or not found.stable:
         return None
-    if warm.error is not None and not problem.surroundings.deepest(found.shape):
-        error = warm.error * _coarser(found, warm, problem.surroundings)
+    if known and not problem.surroundings.deepest(found.shape):
+        error = warm.error * _coarser(problem, found, warm)
         if error <= problem.scene.options.tolerance:
             return replace(found, measured=error)
     return _gathered(problem, found)
 
 
-def _coarser(trial, warm, around_it) -> float:
+def _coarser(problem, trial, warm) -> float:
     """How much longer the elements are where contact begins and ends now than the finest were, which are those where it
     began and ended before: the error goes with them."""
     steps = trial.shape.steps
-    here = np.searchsorted(trial.shape.arc_length, _places(trial, around_it)).clip(
-        1, len(steps) - 1
-    )
+    places = _places(problem, trial)
+    here = np.searchsorted(trial.shape.arc_length, places).clip(1, len(steps) - 1)
     return max(1.0, np.maximum(steps[here - 1], steps[here]).max() / warm.steps.min())
 
 
@@ -99,7 +139,7 @@ def _gathered(problem, found):
     try:
         for elements in MESHES:
             width = max(width / GATHER, NARROWEST)
-            places = _places(found, around_it)
+            places = _places(problem, found)
             if not places:
                 return replace(found, measured=None)  # touches nothing, so the strong form holds
             start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
@@ -111,7 +151,10 @@ def _gathered(problem, found):
             if error > LOST and found.measured < LOST:
                 return found  # the finer one has left for another equilibrium
             found = replace(finer, measured=error)
-            if error <= tolerance and not around_it.deepest(found.shape):
+            deep = (
+                around_it.deepest(found.shape) or problem.apart and problem.own.depths(found.shape)
+            )
+            if error <= tolerance and not deep:
                 return found
     except TimeUpError:
         if np.isinf(found.measured):
@@ -119,28 +162,43 @@ def _gathered(problem, found):
     return found
 
 
-def _places(trial, around_it):
+def _places(problem, trial):
     """Arc lengths where contact begins or ends, or is at a point."""
+    around_it, s = problem.surroundings, trial.shape.arc_length
     acting = np.linalg.norm(trial.contact_forces, axis=2).any(axis=1)
-    s = trial.shape.arc_length
     places = []
     for a, b in runs(acting):
         places += [s[a]] if b == a + 1 else [s[a], s[b - 1]]
+    touches = trial.with_itself
+    for place in touches.places(problem.own.radius):
+        # What the solver leaves of its barrier beside a point is no contact.
+        weight = np.linalg.norm(touches.forces[place], axis=1)
+        place = place[weight > FAINT * weight.max()]
+        if len(place) < LINED:
+            weight = np.linalg.norm(touches.forces[place], axis=1)
+            places += [np.average(t[place], weights=weight) for t in (touches.here, touches.there)]
+        else:
+            places += [*touches.here[place[[0, -1]]], *touches.there[place[[0, -1]]]]
+    if problem.apart:
+        places += problem.own.mesh_places(trial.shape)
     if around_it.deepest(trial.shape):
         worst = int(np.argmin(around_it.between(trial.shape)))
         places.append((s[worst] + s[worst + 1]) / 2)
     return places
 
 
-def _settled(problem, shape, reach=NEAR, leaving=False, fallback=False):
+def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
     """Solve on the nodes of ``shape`` until the features are those of the solution. ``reach``: up to what gap nodes
-    are given features; ``fallback``: whether it is worth asking the slower solver too."""
+    are given features; ``leaving``: whether they are to leave what they are in, and which way the cable leaves itself;
+    ``fallback``: whether it is worth asking the slower solver too."""
     around_it = problem.surroundings
     settled = SETTLED * around_it.radius
     for turn in range(PASSES):
-        found = around_it.features(shape, reach, leaving and turn == 0)
+        way = leaving if turn == 0 else 0
+        found = around_it.features(shape, reach, bool(way))
         features, owners = (None, None) if found is None else found
-        trial = problem.solve(shape, features=features, fallback=fallback)
+        links = problem.own.links(shape, reach, way) if problem.apart else None
+        trial = problem.solve(shape, features=features, links=links, fallback=fallback)
         if trial is None:
             return None
         trial = replace(trial, owners=owners)
@@ -148,10 +206,25 @@ def _settled(problem, shape, reach=NEAR, leaving=False, fallback=False):
         if (
             gap.min(initial=np.inf) > -settled
             and _staleness(trial, around_it, which, gap) < settled
+            and (
+                not problem.apart or _own_staleness(problem, trial) < OWN_SETTLED * around_it.radius
+            )
         ):
             return trial
         shape = trial.shape
     return None
+
+
+def _own_staleness(problem, trial) -> float:
+    """Largest difference between the gap of a link that pushes and that of its node to where the cable is nearest now,
+    and how far any node is in the cable."""
+    there = problem.own.links(trial.shape, problem.own.radius)
+    nearest = np.full(len(trial.shape.arc_length), np.inf)
+    if there is not None:
+        np.minimum.at(nearest, np.array(there.pairs)[:, 0], there.distance - 2 * problem.own.radius)
+    touches = trial.with_itself
+    stale = np.abs(touches.gaps - nearest[touches.nodes]).max(initial=0.0)
+    return max(stale, -nearest.min())
 
 
 def _staleness(trial, around_it, which, gap) -> float:

@@ -37,9 +37,23 @@ DOUBTFUL_ROLL = 2.0
 
 def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
-    touching = warm is not None and problem.surroundings.obstacles
+    touching = warm is not None and (warm.error is not None or problem.surroundings.obstacles)
     if touching and (found := contact.resumed(problem, warm)) is not None:
         return found
+    found = _through_itself(problem, warm)
+    return None if found is None else apart(problem, found)
+
+
+def apart(problem, trial):
+    """From a shape that may run through itself to one that does not; the same if none is found."""
+    found = contact.apart(problem, trial)
+    if found is trial or found.touches or problem.scene.options.elements is not None:
+        return found
+    return refined(problem, found)
+
+
+def _through_itself(problem, warm):
+    """As if nothing kept the cable from that."""
     found = _free(problem, warm)
     if found is not None and problem.scene.enforce_bend_radius:
         found = _formed(problem, found)

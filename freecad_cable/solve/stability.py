@@ -9,6 +9,7 @@ eigenvalue and gives the variation that leaves a saddle.
 
 import numpy as np
 from scipy.linalg import eigh, null_space, qr
+from scipy.sparse import csr_matrix
 
 from ..transcription.nlp import Nlp
 
@@ -38,9 +39,25 @@ class SecondVariation:
         self.gaps = np.append(self.nx[1:], 0)
         rows = np.concatenate([[0], np.cumsum(self.gaps + ng)])
         jacobian = (*jacobian[:2], np.where(acting[jacobian[0]], jacobian[2], 0.0))
+        self.links = self.coupling = None
+        if nlp.structure.links:
+            jacobian, hessian = self._linked(jacobian, hessian, rows[-1], len(nlp.equality))
         self.rows = self._blocks(*jacobian, rows, (self.gaps + ng).max())
         self.curvature = self._blocks(*hessian, self.columns, (self.nx + self.nu).max())
         self.sides = ng
+
+    def _linked(self, jacobian, hessian, first, height):
+        """Takes out what couples distant stages: the rows of links, and the Hessian between stages."""
+        (i, j, slope), (row, col, bent) = jacobian, hessian
+        there, size = i >= first, self.columns[-1]
+        scaled = slope * self.scale[j], bent * self.scale[row] * self.scale[col]
+        self.links = csr_matrix(
+            (scaled[0][there], (i[there] - first, j[there])), (height - first, size)
+        )
+        stages = [np.searchsorted(self.columns, each, "right") for each in (row, col)]
+        across = stages[0] != stages[1]
+        self.coupling = csr_matrix((scaled[1][across], (row[across], col[across])), (size, size))
+        return tuple(a[~there] for a in jacobian), tuple(a[~across] for a in hessian)
 
     def _blocks(self, row, col, values, starts, height):
         """(stages, height, width): each stage's rows over its own variables and the next stage's state."""
@@ -54,6 +71,8 @@ class SecondVariation:
 
     def proven(self) -> bool:
         """Whether the Riccati recursion shows the second variation to be positive; False proves nothing."""
+        if self.links is not None:
+            return False
         nx = self.nx[-1]
         end = self.rows[-1, : self.sides[-1], :nx]
         p = self.curvature[-1, :nx, :nx] + PENALTY * end.T @ end
@@ -92,6 +111,8 @@ class SecondVariation:
             own = slice(self.columns[k], self.columns[k + 1])
             size = self.nx[k] + self.nu[k]
             reduced += basis[own].T @ self.curvature[k, :size, :size] @ basis[own]
+        if self.coupling is not None:
+            reduced += basis.T @ (self.coupling @ basis)
         values, vectors = eigh((reduced + reduced.T) / 2)
         return float(values[0] / np.abs(values).max()), self.scale * (basis @ vectors[:, 0])
 
@@ -117,6 +138,8 @@ class SecondVariation:
             for k in range(1, len(self.nx))
             if self.sides[k]
         ]
+        if self.links is not None:
+            held.append(self.links @ basis)
         if held and (held := np.vstack(held)).any():
             q, r, _ = qr(held.T, pivoting=True)
             rank = int(np.sum(np.abs(np.diag(r)) > 1e-10 * np.abs(r).max()))

@@ -21,6 +21,7 @@ from ..transcription.structure import Structure
 from ..transcription.supports import TIGHT
 from ..transcription.waypoints import breaks
 from . import backend, stability, strong_form
+from .own import Own, Touches
 from .surroundings import Surroundings
 
 LIMP = 1e-2
@@ -91,7 +92,20 @@ class Trial:
 
     @property
     def touches(self) -> bool:
-        return self.owners is not None and bool(self.contact_forces.any())
+        by_others = self.owners is not None and self.contact_forces.any()
+        return bool(by_others or len(self.with_itself.nodes))
+
+    @cached_property
+    def with_itself(self) -> Touches:
+        """Where the rod touches itself."""
+        rows = self.nlp.link_rows
+        push = np.where(self.acting[rows], -self.raw.multipliers[rows], 0.0)
+        return Touches.of(self.shape, self.values["links"], push)
+
+    @cached_property
+    def pushes(self) -> np.ndarray:
+        """(n+1, 3) all that obstacles and the rod itself exert on each node, without units."""
+        return self.contact_forces.sum(axis=1) + self.with_itself.on_nodes(len(self.shape.position))
 
     @cached_property
     def contact_forces(self) -> np.ndarray:
@@ -150,6 +164,8 @@ class Problem:
     build_time: float = field(default=0.0)
     watch: Callable[[str], None] | None = field(default=None)
     """called before each run of a solver; see ``find_equilibrium``"""
+    apart: bool = field(default=False)
+    """whether the cable is kept from running through itself; first it is solved as if it need not"""
     formed: bool = field(default=False)
     """whether the cable must be formed to keep its bend radius; first it is solved as if it need not"""
 
@@ -166,6 +182,10 @@ class Problem:
     @cached_property
     def surroundings(self) -> Surroundings:
         return Surroundings(self.scene, self.scaling)
+
+    @cached_property
+    def own(self) -> Own:
+        return Own(self.scene, self.scaling)
 
     @property
     def scheme(self) -> str:
@@ -189,7 +209,7 @@ class Problem:
             )
         return present
 
-    def structure(self, stretches, contacts=0) -> Structure:
+    def structure(self, stretches, contacts=0, links=()) -> Structure:
         scene = self.scene
         return Structure(
             self.scheme,
@@ -201,6 +221,7 @@ class Problem:
             tuple(support.slides for support in scene.supports),
             contacts,
             self.formed,
+            links,
         )
 
     def _support_kind(self, support):
@@ -210,17 +231,21 @@ class Problem:
         return "clamp" if isinstance(support, Clamp) else "sleeve"
 
     def solve(
-        self, start: Shape, *, load=1.0, reach=1.0, fallback=True, features=None
+        self, start: Shape, *, load=1.0, reach=1.0, fallback=True, features=None, links=None
     ) -> Trial | None:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
 
         ``load`` scales gravity and ``reach`` the distance of the ends: continuation goes through them, and
         rather takes a shorter step than fall back to the slower solver. ``features`` (n+1, contacts, 12) are what
-        the nodes keep away from (see ``transcription.contact``).
+        the nodes keep away from (see ``transcription.contact``), ``links`` what of the cable keeps away from itself.
         """
-        nlp = self._built(start, 0 if features is None else features.shape[1])
+        nlp = self._built(
+            start,
+            0 if features is None else features.shape[1],
+            () if links is None else links.pairs,
+        )
         values = self.scaling.parameters(self.scene, start, load, reach)
-        values["features"] = features
+        values["features"], values["links"] = features, links
         parameters = pack(nlp.structure, values, start.steps)
         x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start)
         for name, near in self._attempts(nlp, start, fallback):
@@ -239,13 +264,15 @@ class Problem:
 
     def _attempts(self, nlp, start, fallback):
         """(solver, whether it takes the start for nearly the solution), in order."""
+        if nlp.structure.links:
+            return [("ipopt", False)]
         names = self.solvers if fallback else self.solvers[:1]
         near = start.force is not None and not nlp.equality.all()
         first = [("fatrop", True)] if near and names[0] == "fatrop" else []
         return [*first, *((name, False) for name in names)]
 
-    def _built(self, start, contacts):
+    def _built(self, start, contacts, links):
         begin = time.perf_counter()
-        nlp = build(self.structure(start.stretches, contacts))
+        nlp = build(self.structure(start.stretches, contacts, links))
         self.build_time += time.perf_counter() - begin
         return nlp

@@ -16,6 +16,8 @@ from ..geometry.nearest import FLAT, LINE
 
 PARAMETERS = 12
 """c (3), n (3), a (3), α, β, d of one feature"""
+LINK_PARAMETERS = PARAMETERS + 1
+"""See ``link_gap``."""
 
 NONE = np.array([0.0] * 11 + [-1.0])
 """Of a feature that is never in the way."""
@@ -27,6 +29,14 @@ def gap(r, feature):
     about = ca.dot(feature[6:9], offset)
     round_part = feature[9] * ca.dot(offset, offset) - feature[10] * about**2
     return ca.dot(feature[3:6], offset) + round_part / 2 - feature[11]
+
+
+def link_gap(nodes, link):
+    """g between a node of a rod and a point of one of its elements: columns of the node's place and of those of the
+    element's ends (9), and of the parameters of a feature, whose c is measured from where the last of all, a share of
+    the element, is on its chord."""
+    on_chord = (1 - link[PARAMETERS]) * nodes[3:6] + link[PARAMETERS] * nodes[6:]
+    return gap(nodes[:3] - on_chord, link[:PARAMETERS])
 
 
 def parameters(nearest, keep) -> np.ndarray:

@@ -44,6 +44,8 @@ class Nlp:
     """(n,) first row of each gap"""
     contact_rows: np.ndarray
     """(n+1, contacts) rows; −1 at nodes that are held"""
+    link_rows: np.ndarray
+    """(links,) rows that keep the rod away from itself"""
     stage_sizes: tuple[tuple[int, int, int], ...]
     """(nx, nu, ng) of each stage"""
 
@@ -91,7 +93,8 @@ def pack(structure, values, steps):
     named = [np.ravel(values[name]) for name in PARAMETERS]
     held = [np.ravel(each[name]) for each in values["supports"] for name in supports.PARAMETERS]
     features = [np.ravel(values["features"])] if structure.contacts else []
-    return np.concatenate([*named, *held, steps, *features])
+    links = [np.ravel(values["links"].parameters)] if structure.links else []
+    return np.concatenate([*named, *held, steps, *features, *links])
 
 
 @lru_cache(maxsize=64)
@@ -116,5 +119,6 @@ def build(structure: Structure) -> Nlp:
         equality=np.array(writer.equality),
         gaps=writer.gaps,
         contact_rows=contact_rows,
+        link_rows=writer.link_rows,
         stage_sizes=tuple(writer.stage_sizes),
     )

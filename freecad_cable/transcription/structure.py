@@ -28,6 +28,9 @@ class Structure:
     """features of obstacles that each node keeps away from"""
     bend_limit: bool = False
     """whether the curvature is bounded"""
+    links: tuple[tuple[int, int], ...] = ()
+    """(node, first node of the element) of the rod's own that keep away from each other; they couple stages that are
+    no neighbours, which only the general solver bears"""
 
     @property
     def elements(self) -> int:

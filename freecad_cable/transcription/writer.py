@@ -52,6 +52,8 @@ class Writer:
         self._held()
         if structure.contacts:
             self._contacts()
+        if structure.links:
+            self._links()
         if structure.bend_limit:
             self._bends()
         order = np.argsort(np.concatenate([rows for rows, _ in self.row_terms]))
@@ -66,14 +68,14 @@ class Writer:
         features = contact.PARAMETERS * structure.contacts * (structure.elements + 1)
         sizes = [*PARAMETERS.values()]
         sizes += [*supports.PARAMETERS.values()] * len(structure.supports)
-        sizes += [structure.elements, features]
+        sizes += [structure.elements, features, contact.LINK_PARAMETERS * len(structure.links)]
         self.p = ca.MX.sym("p", sum(sizes))
         parts = iter(ca.vertsplit(self.p, np.concatenate([[0], np.cumsum(sizes)]).tolist()))
         self.named = {name: next(parts) for name in PARAMETERS}
         self.supports = [
             ca.vertcat(*(next(parts) for _ in supports.PARAMETERS)) for _ in structure.supports
         ]
-        self.steps, self.features = next(parts), next(parts)
+        self.steps, self.features, self.links = (next(parts) for _ in range(3))
 
     def _number_rows(self):
         """Every stage has its gap, equations, bounds of what holds it, of obstacles, and of the curvature."""
@@ -107,6 +109,8 @@ class Writer:
                 self.bend_rows += range(len(equality), len(equality) + len(self.bent_at[k]))
                 equality += [False] * len(self.bent_at[k])
             sizes.append((nx, int(numbers.nu[k]), len(equality) - begin))
+        self.link_rows = len(equality) + np.arange(len(structure.links))
+        equality += [False] * len(structure.links)
         self.equality, self.gaps, self.stage_sizes = equality, np.array(self.gaps), sizes
 
     def _matrix(self, height, rows, columns, values):
@@ -245,6 +249,28 @@ class Writer:
         # The features of one node share its place.
         summed = sum(ca.horzcat(*(ca.horzsplit(blocks, 3)[i::count])) for i in range(count))
         self._add_hessian(self.numbers.states[self.touching, :3], summed)
+
+    def _links(self):
+        """Between nodes and elements of the rod itself, after the rows of all stages."""
+        links = np.array(self.structure.links)
+        places = self.numbers.states[:, :3]
+        variables = np.hstack([places[links[:, 0]], places[links[:, 1]], places[links[:, 1] + 1]])
+        given = ca.reshape(self.links, contact.LINK_PARAMETERS, len(links))
+        blocks = self._map_bounds(contact.link_gap, variables, given, self.link_rows)
+        # One node may be in many links: what falls into one place is summed.
+        width = variables.shape[1]
+        rows = np.repeat(variables[:, None, :], width, axis=1).ravel()
+        columns = np.repeat(variables[:, :, None], width, axis=2).ravel()
+        there, where = np.unique(columns * self.numbers.size + rows, return_inverse=True)
+        columns, rows = np.divmod(there, self.numbers.size)
+        sums = ca.DM.triplet(
+            where.tolist(),
+            list(range(len(where))),
+            ca.DM.ones(len(where), 1),
+            len(there),
+            len(where),
+        )
+        self.hessian += self._matrix(self.numbers.size, rows, columns, sums @ ca.vec(blocks))
 
     def _bends(self):
         """About the curvature that is left to the limit, at every strain."""

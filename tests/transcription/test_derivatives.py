@@ -20,6 +20,19 @@ STRUCTURES = [
     Structure("helix", (1, 2), "clamped", "clamped", (0, 1, 2), ("eyelet",), (True,)),
     Structure("magnus", (1, 2), "free", "clamped", (0, 1), ("ring",), (True,), 2, True),
     Structure("helix", (3,), "pinned", "free", (0, 1), contacts=1, bend_limit=True),
+    Structure("magnus", (5,), "clamped", "free", (0, 1), links=((0, 3), (1, 3), (1, 4))),
+    Structure(
+        "magnus",
+        (2, 3),
+        "clamped",
+        "pinned",
+        (0, 1, 2),
+        ("ring",),
+        (True,),
+        1,
+        False,
+        ((0, 2), (1, 2)),
+    ),
 ]
 
 

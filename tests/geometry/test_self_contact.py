@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from freecad_cable.geometry import rotation
-from freecad_cable.result import self_penetration
+from freecad_cable.geometry.self_contact import self_penetrations
 
 RADIUS = 0.01
 
@@ -29,7 +29,7 @@ def loop(rise, nodes=81):
 @pytest.mark.parametrize("rise", [0.005, 0.015, 0.019])
 def test_depth_and_place(rise):
     *nodes, speed = loop(rise)
-    depth, here, there = self_penetration(*nodes, RADIUS)
+    (depth, here, there), *_ = self_penetrations(*nodes, RADIUS)
     # One turn further the helix is ``rise`` higher, and nearest a little before that: the pitch makes it a cosine of
     # rise/0.2π nearer. Samples a quarter of a radius apart miss up to a 64th of that squared.
     nearest = rise * np.cos(np.arctan(rise / (0.2 * np.pi)))
@@ -39,7 +39,7 @@ def test_depth_and_place(rise):
 
 def test_apart():
     *nodes, _ = loop(0.0205)
-    assert self_penetration(*nodes, RADIUS) is None
+    assert self_penetrations(*nodes, RADIUS) == []
 
 
 def test_a_sharp_bend_is_no_contact():
@@ -48,4 +48,4 @@ def test_a_sharp_bend_is_no_contact():
     position = RADIUS * np.column_stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)])
     tangent = np.column_stack([-np.sin(angle), np.cos(angle), np.zeros_like(angle)])
     nodes = RADIUS * angle, position, frames(tangent)
-    assert self_penetration(*nodes, RADIUS) is None
+    assert self_penetrations(*nodes, RADIUS) == []
