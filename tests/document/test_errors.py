@@ -122,7 +122,7 @@ class ErrorTest(DocumentTest):
         self.check_property(self.cable, "End", inner, inner.Label, "another part or assembly")
 
     def test_a_bend_tighter_than_the_cable_shows_the_line(self):
-        self.type.OuterDiameter = "100 mm"
+        self.type.OuterDiameter = "40 mm"
         self.type.MassPerLength = "9 kg/m"
         self.assertFailed(self.cable, "bends to a radius of")
         self.assertEqual(self.cable.Shape.ShapeType, "Wire")
