@@ -10,10 +10,7 @@ from xml.etree import ElementTree
 from ..document.cable import Cable
 from ..document.proxy import proxy_of
 from ..document.route import Route
-from .pictures import COLOURS
-
-METAL = "#c9d1d8"
-"""Of the equipment."""
+from .colours import COLOURS, METAL
 
 
 def add_appearance(path, document):
@@ -23,7 +20,7 @@ def add_appearance(path, document):
     """
     root = ElementTree.Element("Document", SchemaVersion="1")
     views = ElementTree.SubElement(root, "ViewProviderData")
-    for obj, properties in _seen(document):
+    for obj, properties in seen(document):
         view = ElementTree.SubElement(views, "ViewProvider", name=obj.Name, expanded="0")
         listed = ElementTree.SubElement(
             view, "Properties", Count=str(1 + len(properties)), TransientCount="0"
@@ -37,7 +34,7 @@ def add_appearance(path, document):
         file.writestr("GuiDocument.xml", ElementTree.tostring(root, "utf-8", xml_declaration=True))
 
 
-def _seen(document):
+def seen(document):
     """Pairs of an object and the colours of its view."""
     cables = [obj for obj in document.Objects if proxy_of(obj, Cable)]
     for obj in document.Objects:

@@ -15,19 +15,7 @@ import matplotlib.pyplot as plt
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 
-COLOURS = (
-    "#1f6fb4",
-    "#d9541e",
-    "#2a9d4a",
-    "#8e44ad",
-    "#c49a00",
-    "#c2185b",
-    "#00939c",
-    "#7a5230",
-    "#3f51b5",
-    "#5a8f00",
-)
-"""Of the cables, in order; dark enough for text."""
+from .colours import COLOURS
 
 METAL, EDGE, LIMIT, GREY = "#8fa3b5", "#54606b", "#b00020", "0.25"
 

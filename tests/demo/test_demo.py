@@ -14,8 +14,9 @@ import numpy as np
 import Part
 from FreeCAD import Vector
 
-from freecad_cable.demo import equipment, harness, main, satellite, table, table_1
+from freecad_cable.demo import equipment, harness, satellite, table, table_1
 from freecad_cable.demo.comparison import SAMPLES, compare
+from freecad_cable.demo.program import main
 from freecad_cable.document.cable import Cable
 from freecad_cable.document.proxy import proxy_of
 from freecad_cable.document.route import Route

@@ -14,14 +14,25 @@ from freecad_cable.errors import DocumentError
 from freecad_cable.gui.commands import COMMANDS
 
 SUPPORTS = ["Clamp", "Sleeve", "Ring", "Clip"]
-TITLES = ["Cable Terminal", "Cable", *SUPPORTS, "Shortest Length", "Comparison Route", "Check All"]
-OF_A_CABLE = ["Shortest Length", "Comparison Route", "Check All"]
+OF_ALL = ["Check All", "Report"]
+TITLES = [
+    "Cable Terminal",
+    "Cable",
+    *SUPPORTS,
+    "Shortest Length",
+    "Comparison Route",
+    *OF_ALL,
+    "Example",
+]
+OF_A_CABLE = ["Shortest Length", "Comparison Route", *OF_ALL]
 
 
 def active():
     """Titles of the commands that can be used now."""
     commands = [FreeCADGui.Command.get(name) for name in COMMANDS]
-    return [c.getInfo()["menuText"] for c in commands if c.isActive()]
+    titles = [c.getInfo()["menuText"] for c in commands if c.isActive()]
+    # It needs nothing.
+    return [title for title in titles if title != "Example"]
 
 
 class WorkbenchTest(unittest.TestCase):
@@ -170,7 +181,7 @@ class CommandTest(unittest.TestCase):
         cable = self.cable()
         for kind, x in (("Ring", 0), ("Sleeve", -60), ("Clip", 50)):
             self.select(self.hole(f"Plate{kind}", x), f"Unit.{cable.Name}.Face1")
-            self.assertEqual(active(), [*SUPPORTS, "Check All"])
+            self.assertEqual(active(), [*SUPPORTS, *OF_ALL])
             (made,) = self.of(kind, self.run_command(f"Cable_{kind}"))
             self.assertIn(made, cable.Supports)
         self.assertEqual([o.Name for o in cable.Supports], ["Sleeve", "Ring", "Clip"])

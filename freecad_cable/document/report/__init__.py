@@ -6,7 +6,7 @@ report.write(doc, folder)
 """
 
 from .entry import Entry, Load, Verdict, collect
-from .output import write
+from .output import page_path, write
 from .spreadsheet import sheet
 
-__all__ = ["Entry", "Load", "Verdict", "collect", "sheet", "write"]
+__all__ = ["Entry", "Load", "Verdict", "collect", "page_path", "sheet", "write"]

@@ -31,8 +31,7 @@ def write(doc, folder, *, picture=None) -> Path:
     entries = collect(doc)
     sheet(doc, entries)
     doc.recompute()
-    stem = NO_NAME.sub("-", Path(doc.FileName).stem or doc.Label)
-    path = Path(folder) / f"{stem}-cables.html"
+    path = page_path(doc, folder)
     try:
         shown = Path(picture).read_bytes() if picture else None
         text = page(f"Cables of {doc.Label}", _meta(doc), entries, outlines(doc), shown)
@@ -43,6 +42,12 @@ def write(doc, folder, *, picture=None) -> Path:
             f"The report cannot be written: {error.filename}: {error.strerror}; choose another folder."
         ) from None
     return path
+
+
+def page_path(doc, folder) -> Path:
+    """Where the page of a document is written."""
+    stem = NO_NAME.sub("-", Path(doc.FileName).stem or doc.Label)
+    return Path(folder) / f"{stem}-cables.html"
 
 
 def _meta(doc):

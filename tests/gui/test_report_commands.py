@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands about the whole document, in a window."""
+
+import os
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+from window import WindowTest
+
+from freecad_cable.document import solving
+from freecad_cable.gui import report_commands
+
+NO_MATPLOTLIB = {"matplotlib": None, "matplotlib.pyplot": None}
+
+
+class ReportCommandTest(WindowTest):
+    def setUp(self):
+        super().setUp()
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        opened = mock.patch.object(QtGui.QDesktopServices, "openUrl")
+        self.opened = opened.start()
+        self.addCleanup(opened.stop)
+
+    def run_report(self):
+        FreeCADGui.runCommand("Cable_Report")
+        self.pump(0.05)
+
+    def test_without_a_cable_there_is_nothing_to_report(self):
+        self.assertFalse(FreeCADGui.Command.get("Cable_Report").isActive())
+        self.make_cable()
+        self.assertTrue(FreeCADGui.Command.get("Cable_Report").isActive())
+
+    def test_beside_the_file_with_a_picture_of_the_window(self):
+        self.make_cable()
+        FreeCADGui.SendMsgToActiveView("ViewFit")
+        self.document.saveAs(os.path.join(self.folder, "unit 7.FCStd"))
+        self.run_report()
+        page = Path(self.folder) / "unit-7-cables.html"
+        text = page.read_text(encoding="utf-8")
+        self.assertIn("300.0", text)
+        self.assertIn("data:image/png;base64,", text)
+        (url,) = self.opened.call_args.args
+        self.assertEqual(Path(url.toLocalFile()), page)
+        image = QtGui.QImage(str(page.with_suffix(".png")))
+        self.assertEqual((image.width(), image.height()), report_commands.PICTURE)
+        colours = {image.pixel(x, y) for x in range(0, 1600, 9) for y in range(0, 1000, 9)}
+        self.assertGreater(len(colours), 5, "the picture is empty")
+        self.assertEqual(self.document.CableReport.get("A2"), self.cable.Label)
+
+    def test_it_is_one_step_of_undo(self):
+        self.make_cable()
+        self.document.saveAs(os.path.join(self.folder, "a.FCStd"))
+        steps = self.document.UndoCount
+        self.run_report()
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.document.undo()
+        self.assertIsNone(self.document.getObject("CableReport"))
+
+    def test_a_document_that_is_not_saved_asks_for_a_folder(self):
+        self.make_cable()
+        for answer in ("", self.folder):
+            with mock.patch.object(
+                QtGui.QFileDialog, "getExistingDirectory", return_value=answer
+            ) as asked:
+                self.run_report()
+            asked.assert_called_once()
+            self.assertEqual(self.opened.called, bool(answer))
+        pages = [name for name in os.listdir(self.folder) if name.endswith(".html")]
+        self.assertEqual(pages, ["Window-cables.html"])
+
+    def test_a_folder_that_cannot_be_written_is_an_error_and_leaves_nothing(self):
+        self.make_cable()
+        blocked = os.path.join(self.folder, "file")
+        Path(blocked).write_text("")
+        with mock.patch.object(QtGui.QFileDialog, "getExistingDirectory", return_value=blocked):
+            self.run_report()
+        self.assertIsNone(self.document.getObject("CableReport"))
+        self.assertFalse(self.opened.called)
+
+
+class ExampleCommandTest(WindowTest):
+    def test_it_opens_the_panel_with_ten_cables_also_without_matplotlib(self):
+        before = set(FreeCAD.listDocuments())
+        for name in [name for name in sys.modules if name.startswith("freecad_cable.demo")]:
+            del sys.modules[name]
+        with mock.patch.dict(sys.modules, NO_MATPLOTLIB):
+            FreeCADGui.runCommand("Cable_Example")
+        (name,) = set(FreeCAD.listDocuments()) - before
+        self.addCleanup(FreeCAD.closeDocument, name)
+        document = FreeCAD.getDocument(name)
+        solving.wait(document)
+        cables = document.findObjects("Part::FeaturePython", "^Cable")
+        self.assertEqual(len(cables), 10)
+        for cable in cables:
+            self.assertTrue(cable.isValid(), cable.Status)
+            self.assertTrue(cable.Shape.isClosed())
+        self.assertEqual(len({cable.ViewObject.ShapeColor for cable in cables}), 10)
+        self.assertIs(FreeCAD.ActiveDocument, document)
+        if "CABLE_PICTURES" in os.environ:
+            FreeCADGui.activeView().saveImage(f"{os.environ['CABLE_PICTURES']}/example.png")
