@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """``python -m freecad_cable solve scene.json -o solution.json``: the core without FreeCAD.
+``python -m freecad_cable study study.json -o rows.csv``: one property of a scene over a range, or a tolerance.
 
-Exit status: 0 converged, 2 the scene is wrong, 3 not solved; of several scenes the worst.
+Exit status: 0 converged, 2 the scene or the study is wrong, 3 not solved; of several scenes, values or cases the worst.
 """
 
 import argparse
@@ -13,6 +14,9 @@ from .equilibrium import find_equilibrium
 from .errors import ProblemError, SolverMissingError
 from .problem.scene_file import read_scene
 from .result.solution_file import solution_data
+from .study.program import rows_and_summary
+from .study.rows_file import as_csv, as_json
+from .study.study_file import read_study
 
 CONVERGED, WRONG_SCENE, NOT_SOLVED = 0, 2, 3
 
@@ -20,6 +24,8 @@ CONVERGED, WRONG_SCENE, NOT_SOLVED = 0, 2, 3
 def main(arguments=None) -> int:
     """Exit status of a command line."""
     options = _parser().parse_args(arguments)
+    if options.command == "study":
+        return _study(options.study, options.output, options.processes)
     if options.output and len(options.scenes) > 1:
         return _say("-o takes one scene; use --out-dir for several")
     worst = CONVERGED
@@ -30,14 +36,28 @@ def main(arguments=None) -> int:
 
 def _parser():
     parser = argparse.ArgumentParser(
-        prog="freecad_cable", description=__doc__.split(":")[1].strip()
+        prog="freecad_cable", description="The core of the Cable workbench, without FreeCAD."
     )
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", dest="command")
     solve = commands.add_parser("solve", help="find the equilibrium of scene files")
     solve.add_argument("scenes", nargs="+", type=Path, metavar="SCENE.json")
     solve.add_argument("-o", "--output", type=Path, help="solution file (default: standard output)")
     solve.add_argument("--out-dir", type=Path, help="folder for NAME.solution.json of each scene")
+    study = commands.add_parser("study", help="solve one property over a range, or a tolerance")
+    study.add_argument("study", type=Path, metavar="STUDY.json")
+    study.add_argument(
+        "-o", "--output", type=Path, help="rows as .csv or .json (default: CSV to standard output)"
+    )
+    study.add_argument(
+        "--processes", type=_count, default=1, help="for the cases of a tolerance (default: 1)"
+    )
     return parser
+
+
+def _count(text):
+    if not text.isdecimal() or not 1 <= int(text) <= 1024:
+        raise argparse.ArgumentTypeError(f"{text} is no whole number from 1 to 1024")
+    return int(text)
 
 
 def _target(options, scene):
@@ -53,27 +73,58 @@ def _solve(path: Path, target: Path | None) -> int:
         return _say(f"{path}: {error}")
     except SolverMissingError as error:
         return _say(str(error), NOT_SOLVED)
-    text = json.dumps(solution_data(solution), indent=1, ensure_ascii=False)
-    try:
-        if target is None:
-            print(text)
-        else:
-            target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_text(text + "\n", encoding="utf-8")
-    except OSError as error:
-        return _say(f"{target}: cannot be written: {error.strerror}")
+    text = json.dumps(solution_data(solution), indent=1, ensure_ascii=False) + "\n"
+    if not _written(text, target):
+        return WRONG_SCENE
     if solution.status.success:
         return CONVERGED
     return _say(f"{path}: {solution.message}", NOT_SOLVED)
 
 
-def _load(path: Path):
+def _study(path: Path, target: Path | None, processes: int) -> int:
+    try:
+        if target is not None and target.suffix not in (".csv", ".json"):
+            raise ProblemError("--output", f"is {target}; it must end with .csv or .json")
+        study = read_study(_load(path, "study"), lambda name: _load(path.parent / name))
+        rows, summary = rows_and_summary(study, processes, _say)
+    except ProblemError as error:
+        return _say(f"{path}: {error}")
+    except SolverMissingError as error:
+        return _say(str(error), NOT_SOLVED)
+    if target is not None and target.suffix == ".json":
+        text = as_json(study.names, rows, summary)
+    else:
+        text = as_csv(study.names, rows)
+    if not _written(text, target):
+        return WRONG_SCENE
+    unsolved = sum(not row.solved for row in rows)
+    if unsolved:
+        return _say(
+            f"{path}: {unsolved} of {len(rows)} are not solved; the rows say why", NOT_SOLVED
+        )
+    return CONVERGED
+
+
+def _written(text, target) -> bool:
+    try:
+        if target is None:
+            sys.stdout.write(text)
+        else:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text, encoding="utf-8")
+    except OSError as error:
+        _say(f"{target}: cannot be written: {error.strerror}")
+        return False
+    return True
+
+
+def _load(path: Path, what="scene"):
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise ProblemError("scene", f"cannot be read: {error.strerror}") from error
+        raise ProblemError(what, f"cannot be read: {error.strerror}") from error
     except (ValueError, RecursionError) as error:
-        raise ProblemError("scene", f"is not JSON: {error}") from error
+        raise ProblemError(what, f"is not JSON: {error}") from error
 
 
 def _say(message: str, status: int = WRONG_SCENE) -> int:

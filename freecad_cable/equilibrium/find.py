@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The front door of the core: a scene in, its equilibrium out."""
 
+import threading
 from collections.abc import Callable
 from functools import partial
 
@@ -23,6 +24,10 @@ computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 HEAVIEST = 5e6
 """Weight ratio above which no case was ever solved; a wrong unit is likelier than such a cable."""
 
+ONE_AT_A_TIME = threading.RLock()
+"""CasADi's functions are not safe in threads (two that solved at once crashed Python), so of those of one process one
+solves; to use more of a machine takes processes."""
+
 
 def find_equilibrium(
     scene: Scene, *, start: Solution | None = None, watch: Callable[[str], None] | None = None
@@ -33,8 +38,14 @@ def find_equilibrium(
     one that differs much is ignored. Where the scene asks for its length, that is found too.
     ``watch`` is called before each run of a solver, with what is about to be done; what it raises ends the search
     (``StoppedError`` is there for that).
-    Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi.
+    Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi. May be called
+    from several threads, which wait for each other.
     """
+    with ONE_AT_A_TIME:
+        return _found(scene, start, watch)
+
+
+def _found(scene, start, watch):
     solve = find_equilibrium if watch is None else partial(find_equilibrium, watch=watch)
     if scene.asks_length:
         return shortest(scene, solve)
@@ -75,12 +86,13 @@ def find_equilibria(scene: Scene) -> list[Solution]:
         raise ProblemError(
             "scene", "has no one set of equilibria; give a length, and ask for each stretch alone"
         )
-    problem = _problem(scene)
-    if isinstance(problem, Solution):
-        return []
-    from ..solve.branches import find_all
+    with ONE_AT_A_TIME:
+        problem = _problem(scene)
+        if isinstance(problem, Solution):
+            return []
+        from ..solve.branches import find_all
 
-    return [solution(problem, trial) for trial in find_all(problem)]
+        return [solution(problem, trial) for trial in find_all(problem)]
 
 
 def _problem(scene, watch=None):

@@ -93,8 +93,8 @@ def index_table(field, value, count, things):
 
 
 def _rows(field, value, check, kinds, types, wanted):
-    """``value`` as an array (k, 3) of one of the dtype ``kinds``. Lists of anything but ``types`` are searched, number
-    by number with ``check``, for what to name."""
+    """``value`` as an array (k, 3) of one of the dtype ``kinds``. Lists of anything but ``types`` are searched,
+    number by number with ``check``, for what to name."""
     if isinstance(value, np.ndarray):
         if value.ndim != 2 or value.shape[1] != 3 or value.dtype.kind not in kinds:
             raise ProblemError(
@@ -119,3 +119,21 @@ def _rows(field, value, check, kinds, types, wanted):
 def _whole(field, value):
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or abs(value) > 2**62:
         raise ProblemError(field, f"is {shown(value)}; it must be a whole number")
+
+
+def record(place, data, required, optional):
+    """``data`` as a dict with all required and no unknown fields; ``place`` is ``scene`` or ``study`` for all of a
+    file."""
+    if not isinstance(data, dict):
+        raise ProblemError(place, f"is {shown(data)}; it must be an object")
+    inside = "" if place in ("scene", "study") else f"{place}."
+    for name in required:
+        if name not in data:
+            raise ProblemError(f"{inside}{name}", "is missing")
+    for name in data:
+        if name not in required and name not in optional:
+            raise ProblemError(
+                f"{inside}{name}",
+                f"is not known here; known are {', '.join((*required, *optional))}",
+            )
+    return data

@@ -6,7 +6,7 @@ Reading is strict: an unknown field is an error, so that a misspelt one is not s
 
 from ..errors import ProblemError
 from ..options import SolveOptions
-from .checked import number, shown, vector
+from .checked import number, record, shown, vector
 from .ends import Clamped, Free, Pinned, Swivel
 from .obstacles import Box, Cylinder, HalfSpace, Sphere
 from .reach import chord_through
@@ -45,7 +45,7 @@ CABLE_OPTIONAL = ("axial_stiffness", "shear_stiffness", "natural_curvature", "mi
 
 def read_scene(data) -> Scene:
     """Scene of parsed JSON. Errors: ``ProblemError`` naming the field."""
-    fields = _fields(
+    fields = record(
         "scene",
         data,
         required=("schema", "cable", "start", "end"),
@@ -77,7 +77,7 @@ def read_scene(data) -> Scene:
 
 
 def _rod(data, start, end, supports) -> Rod:
-    fields = _fields(
+    fields = record(
         "cable",
         data,
         required=CABLE_REQUIRED,
@@ -108,7 +108,7 @@ def _length(fields, start, end, supports) -> float:
     kind = mode.get("kind")
     if kind not in ("slack", "shortest"):
         raise ProblemError(f"{place}.kind", f"is {shown(kind)}; it must be slack or shortest")
-    _fields(place, mode, ("kind", "value") if kind == "slack" else ("kind",), ())
+    record(place, mode, ("kind", "value") if kind == "slack" else ("kind",), ())
     held = [end for end in (start, *supports, end) if not isinstance(end, Free)]
     if isinstance(start, Free) or isinstance(end, Free):
         raise ProblemError(place, f"{kind} needs both ends held at a position; give a length")
@@ -124,7 +124,7 @@ def _length(fields, start, end, supports) -> float:
 
 def _end(place, data):
     kind = _kind(place, data, END_FIELDS)
-    fields = _fields(place, data, ("kind", *END_FIELDS[kind]), ())
+    fields = record(place, data, ("kind", *END_FIELDS[kind]), ())
     return ENDS[kind](*(fields[name] for name in END_FIELDS[kind]), place=place)
 
 
@@ -149,7 +149,7 @@ def _obstacles(data) -> tuple:
 
 
 def _options(data) -> SolveOptions:
-    fields = _fields(
+    fields = record(
         "options", data, (), ("tolerance", "solver", "scheme", "elements", "keep", "time_limit")
     )
     given = {name: value for name, value in fields.items() if value is not None}
@@ -175,7 +175,7 @@ def _kinds(place, data, kinds, optional):
     for i, item in enumerate(data):
         where = f"{place}[{i}]"
         kind = _kind(where, item, kinds)
-        found.append((kind, _fields(where, item, ("kind", *kinds[kind]), optional)))
+        found.append((kind, record(where, item, ("kind", *kinds[kind]), optional)))
     return found
 
 
@@ -188,19 +188,3 @@ def _kind(place, data, kinds):
             f"{place}.kind", f"is {shown(kind)}; it must be one of {', '.join(kinds)}"
         )
     return kind
-
-
-def _fields(place, data, required, optional):
-    """``data`` as a dict with all required and no unknown fields."""
-    if not isinstance(data, dict):
-        raise ProblemError(place, f"is {shown(data)}; it must be an object")
-    for name in required:
-        if name not in data:
-            raise ProblemError(f"{place}.{name}" if place != "scene" else name, "is missing")
-    for name in data:
-        if name not in required and name not in optional:
-            raise ProblemError(
-                f"{place}.{name}" if place != "scene" else str(name),
-                f"is not known here; known are {', '.join((*required, *optional))}",
-            )
-    return data

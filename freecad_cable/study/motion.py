@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A motion: what a cable goes through on a path of its scene, and how long it must be for all of it."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
+from ..equilibrium import find_equilibrium
+from ..errors import ProblemError
+from ..geometry import rotation
+from ..problem import Scene
+from ..result import Solution
+from .path import Jump, Step
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The worst over a motion; each with the value of the path where it is."""
+
+    smallest_bend_radius: tuple[float, float]
+    """value, [m]"""
+    largest_end_force: tuple[float, float]
+    """value, [N], at either end"""
+    smallest_clearance: tuple[float, float] | None
+    """value, [m]"""
+    jumps: tuple[Jump, ...]
+    unsolved: tuple[float, ...]
+    """values without an equilibrium"""
+
+
+def motion(steps: Iterable[Step]) -> Motion:
+    """Summary of the steps of a path. Errors: ``ProblemError`` if none is solved."""
+    steps = list(steps)
+    solved = [step for step in steps if step.solved]
+    if not solved:
+        raise ProblemError("parameter", "has no value at which the cable can be solved")
+    rows = [step.row for step in solved]
+    radii = [(row.smallest_bend_radius, step.value) for row, step in zip(rows, solved, strict=True)]
+    forces = [
+        (max(row.start_force, row.end_force), step.value)
+        for row, step in zip(rows, solved, strict=True)
+    ]
+    clearances = [
+        (row.smallest_clearance, step.value)
+        for row, step in zip(rows, solved, strict=True)
+        if row.smallest_clearance is not None
+    ]
+    return Motion(
+        smallest_bend_radius=min(radii)[::-1],
+        largest_end_force=max(forces)[::-1],
+        smallest_clearance=min(clearances)[::-1] if clearances else None,
+        jumps=tuple(jump for step in steps for jump in step.jumps),
+        unsolved=tuple(step.value for step in steps if not step.solved),
+    )
+
+
+@dataclass(frozen=True)
+class NeededLength:
+    """How long a cable must be to keep its limits all over a motion."""
+
+    length: float
+    """[m]"""
+    value: float
+    """where it must be as long"""
+    longest: float
+    """[m] that it may be"""
+    longest_value: float
+
+    @property
+    def feasible(self) -> bool:
+        """Whether one length will do everywhere."""
+        return self.length <= self.longest
+
+
+def needed_length(
+    scene_at: Callable[[float], Scene], values: Iterable[float], *, solve=find_equilibrium
+) -> NeededLength:
+    """The length that the worst position needs, and the longest that all allow, by a search for the shortest cable at
+    each value. Errors: ``ProblemError`` naming the value at which no length will do."""
+    found = []
+    for value in values:
+        solution = solve(replace(scene_at(value), asks_length=True))
+        if not solution.status.success:
+            raise ProblemError("cable.length_mode", f"at {value:g}: {solution.message}")
+        shortest, longest = solution.feasible_lengths
+        found.append((shortest.length, longest.length, float(value)))
+    length, _, where = max(found)
+    longest, at = min((longest, value) for _, longest, value in found)
+    return NeededLength(length, where, longest, at)
+
+
+def envelope(solutions: Iterable[Solution], spacing: float) -> np.ndarray:
+    """(m, 3) [m] points of the centrelines of a motion, each at most ``spacing`` [m] from the next along its cable:
+    with the cable's radius about each, what it sweeps at these values."""
+    found = []
+    for solution in solutions:
+        s = solution.arc_length
+        count = int(np.ceil(s[-1] / spacing)) + 1
+        curve = CubicHermiteSpline(s, solution.position, rotation.tangent(solution.quaternion))
+        found.append(curve(np.linspace(0, s[-1], count)))
+    return np.concatenate(found) if found else np.zeros((0, 3))

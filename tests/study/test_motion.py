@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a cable goes through in a motion."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scenes import table_1
+
+from freecad_cable.equilibrium import find_equilibrium
+from freecad_cable.errors import ProblemError
+from freecad_cable.study import Parameter, follow, motion, needed_length
+from freecad_cable.study.motion import envelope
+
+HINGE = Parameter(field="end", how="turn", axis=[0, 1, 0], point=[0.1, -0.235, 0.33])
+
+
+def hinged(angle):
+    return HINGE.of(table_1(min_bend_radius=0.045), angle)
+
+
+def test_the_worst_of_a_hinge():
+    steps = list(follow(hinged, np.linspace(-0.6, 0.6, 7)))
+    found = motion(steps)
+    radii = {step.value: step.solution.min_bend_radius[0] for step in steps}
+    forces = {
+        step.value: max(
+            np.linalg.norm(load.force)
+            for load in (step.solution.start_reaction, step.solution.end_reaction)
+        )
+        for step in steps
+    }
+    assert found.smallest_bend_radius == min(radii.items(), key=lambda item: item[1])
+    assert found.largest_end_force == pytest.approx(max(forces.items(), key=lambda item: item[1]))
+    assert found.smallest_clearance is None and found.jumps == () and found.unsolved == ()
+
+
+def test_the_length_that_the_worst_position_needs():
+    values = [0.0, 0.5]
+    found = needed_length(hinged, values)
+    alone = [
+        find_equilibrium(replace(hinged(v), asks_length=True)).feasible_lengths for v in values
+    ]
+    assert found.length == max(low.length for low, _ in alone)
+    assert found.longest == min(high.length for _, high in alone)
+    assert found.feasible == (found.length <= found.longest)
+    with pytest.raises(ProblemError, match="at 0:"):
+        needed_length(lambda angle: HINGE.of(table_1(min_bend_radius=0.3), angle), values)
+
+
+def test_a_motion_without_any_shape():
+    with pytest.raises(ProblemError, match="no value at which"):
+        motion(follow(table_1, [0.1, 0.2]))
+
+
+def test_the_envelope_covers_every_shape():
+    solutions = [step.solution for step in follow(hinged, [0.0, 0.1])]
+    points = envelope(solutions, 0.002)
+    for solution in solutions:
+        away = np.linalg.norm(solution.position[:, None] - points[None], axis=2).min(axis=1)
+        assert away.max() <= 0.001 * 1.01
+    assert len(points) == 2 * 366
+    assert envelope([], 1.0).shape == (0, 3)
