@@ -9,6 +9,10 @@ import FreeCAD
 
 PLACEMENTS = ("Placement", "LinkPlacement")
 
+NOISE = 1e-7
+"""[mm] and [rad], OCCT's smallest distance: an assembly solver that has nothing to do still moves parts by some
+1e-10 mm, in every recompute, so that what follows them would never be up to date."""
+
 
 class Observer:
     """Hears every change in every document, so it looks at the name of the property first."""
@@ -22,8 +26,8 @@ class Observer:
 
     def slotChangedObject(self, obj, name):
         if name in PLACEMENTS:
-            # A solver sets what is there already, too.
-            if self._before != (obj, getattr(obj, name)):
+            was, before = self._before or (None, None)
+            if was is not obj or _differ(before, getattr(obj, name)):
                 _touch_dependents(obj)
         elif name == "Group":
             _rebase_references(obj.Document)
@@ -57,6 +61,12 @@ def dependents(obj):
 def _reading(document):
     """Whether FreeCAD is filling in what a file or a copy says."""
     return document.Restoring or document.Importing
+
+
+def _differ(one, other):
+    """Whether two placements are different for a person."""
+    entries = zip(one.toMatrix().A, other.toMatrix().A, strict=True)
+    return any(abs(before - now) > NOISE for before, now in entries)
 
 
 def _touch_dependents(obj):

@@ -19,7 +19,7 @@ from .complaint import OBSTACLE, in_properties
 from .observer import dependents
 from .property_table import wrong
 from .read_held import read_held
-from .reference import based_beside, is_plain_group, pairs
+from .reference import based_beside, is_plain_group, pairs, shape_at
 from .stored_solution import nodes
 
 CROWDED = 0.1
@@ -86,7 +86,7 @@ def pieces(root, way):
     if hasattr(source, "NodePosition"):
         yield Run(obj.Label, source, root.getSubObject(way, retType=3))
     elif source.isDerivedFrom("Part::Feature") and not getattr(obj, "ElementCount", 0):
-        for i, solid in enumerate(Part.getShape(root, way).Solids):
+        for i, solid in enumerate(shape_at(root, way).Solids):
             name = f"{source.Document.Name}.{source.Name}.{i}"
             yield Piece(obj.Label, name, solid, obstacle.bounds(name, solid))
     else:

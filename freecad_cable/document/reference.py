@@ -133,10 +133,16 @@ def find(pair) -> Found:
     if not element:
         return Found(obj.Label, placement)
     name = f"{element.lstrip(MISSING)} of {obj.Label}"
-    whole = Part.getShape(root, way)
+    whole = shape_at(root, way)
     if MISSING in element or Part.getShape(root, way + element, needSubElement=True).isNull():
         raise DocumentError(f"{name} is missing: the part has changed. Choose another.")
     return Found(name, placement, whole.getElement(element), whole)
+
+
+def shape_at(root, way):
+    """The shape at the end of a way down from ``root``. Not by ``Part.getShape``, which remembers it and does not
+    notice when a part of a flexible sub-assembly moves."""
+    return root.getSubObject(way)
 
 
 def _at(root, down):

@@ -10,20 +10,6 @@ from freecad_cable.document.reference import container
 TURN = Placement(Vector(15, -10, 25), Rotation(Vector(1, 1, 2), 20))
 
 
-class Solver:
-    """As an assembly solver in its recompute: it places a part and takes the touch back."""
-
-    def __init__(self, obj, part, held):
-        obj.addProperty("App::PropertyLink", "Part")
-        obj.addProperty("App::PropertyLinkList", "Held")
-        obj.addProperty("App::PropertyPlacement", "Target")
-        obj.Part, obj.Held, obj.Target, obj.Proxy = part, held, part.Placement, self
-
-    def execute(self, obj):
-        obj.Part.Placement = obj.Target
-        obj.Part.purgeTouched()
-
-
 class AssemblyTest(DocumentTest):
     """Assembly ⊃ unit ⊃ pin, and a second instance of the unit by a link, 120 mm beside it."""
 
@@ -88,17 +74,6 @@ class AssemblyTest(DocumentTest):
                 for obj in (moved, self.assembly):
                     obj.purgeTouched()
                 self.assertConnected()
-
-    def test_it_follows_a_solver_that_moves_parts_while_the_document_is_recomputed(self):
-        """Which comes after the cable, as the assembly holds both."""
-        cable = self.add_cable(self.assembly)
-        solver = self.doc.addObject("App::FeaturePython", "Solver")
-        Solver(solver, self.unit, [cable, cable.Start, cable.End, cable.Centreline, self.route])
-        self.assertConnected()
-        solver.Target = TURN * self.unit.Placement
-        self.compute()
-        self.assertEqual(self.unit.Placement, solver.Target)
-        self.assertConnected()
 
     def test_inside_a_move_of_the_assembly_solves_nothing(self):
         cable = self.add_cable(self.assembly)
