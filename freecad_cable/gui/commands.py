@@ -4,6 +4,7 @@
 import FreeCAD
 import FreeCADGui
 
+from . import preferences
 from .command import Command
 from .macro import named
 from .report_commands import ExampleCommand, ReportCommand
@@ -29,10 +30,11 @@ class CableCommand(Command):
     def lines(self, picks):
         ends = [_terminal(p) if p.connector else _existing(p, "Terminal") for p in picks]
         if len(ends) == 2 and all(ends):
+            given = preferences.cable_arguments(FreeCAD.ActiveDocument)
             return [
                 f"start = {ends[0]}",
                 f"end = {ends[1]}",
-                "cable = make.cable(App.ActiveDocument, start=start, end=end)",
+                f"cable = make.cable(App.ActiveDocument, start=start, end=end{given})",
             ]
         return None
 
@@ -106,7 +108,8 @@ class InterferenceCommand(Command):
 
 
 def _terminal(pick):
-    return f"make.terminal(App.ActiveDocument, ({named(pick.root)}, {pick.path!r}))"
+    place = f"({named(pick.root)}, {pick.path!r})"
+    return f"make.terminal(App.ActiveDocument, {place}{preferences.terminal_arguments()})"
 
 
 def _only_cable(picks):

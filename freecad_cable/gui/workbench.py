@@ -4,7 +4,7 @@
 import FreeCADGui
 
 from ..document import view_hook
-from .icons import icon
+from .icons import FOLDER, icon
 
 
 def _attach(obj):
@@ -27,7 +27,10 @@ class CableWorkbench(FreeCADGui.Workbench):
     def Initialize(self):
         """FreeCAD calls this when the workbench is first used."""
         from .commands import COMMANDS
+        from .preferences import PAGE
 
+        FreeCADGui.addIconPath(FOLDER)
+        FreeCADGui.addPreferencePage(PAGE, "Cable")
         for name, command in COMMANDS.items():
             FreeCADGui.addCommand(name, command)
         self.appendToolbar("Cable", list(COMMANDS))

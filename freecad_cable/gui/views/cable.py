@@ -2,12 +2,17 @@
 """A cable, under it in the tree what belongs to it, and over it what the window draws."""
 
 from ..icons import icon
+from ..preferences import cable_colour
 from .overlay import Line
 from .view import View
 
 
 class CableView(View):
     icon_name = "cable"
+
+    def __init__(self, view):
+        super().__init__(view)
+        view.ShapeColor = cable_colour()
 
     def attach(self, view):
         super().attach(view)
