@@ -26,8 +26,8 @@ SETTLED = 1e-3
 OWN_SETTLED = 1e-5
 """The same where the cable touches itself: two parts side by side are a hinge that turns by a small gap over a short
 length. The solvers leave 1e-6."""
-LINED = 6
-"""Nodes from which a contact of the cable with itself is one along a line."""
+CHANCE = 3.0
+"""By how much more than first order the error of a mesh is taken to be, from the changes before it."""
 FAINT = 0.01
 """Share of the largest force of a place below which a node is not taken to touch."""
 FIRST = 64
@@ -135,10 +135,10 @@ def _coarser(problem, trial, warm) -> float:
 def _gathered(problem, found):
     """On meshes whose nodes gather where contact begins and ends, until the shape stays."""
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
-    found, width = replace(found, measured=np.inf), 1 / FIRST
+    found, width, expected = replace(found, measured=np.inf), 1 / FIRST, 0.0
     try:
         for elements in MESHES:
-            width = max(width / GATHER, NARROWEST)
+            before, width = width, max(width / GATHER, NARROWEST)
             places = _places(problem, found)
             if not places:
                 return replace(found, measured=None)  # touches nothing, so the strong form holds
@@ -147,9 +147,12 @@ def _gathered(problem, found):
             if finer is None:
                 return found
             moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
-            error = float(np.linalg.norm(moved, axis=1).max())
-            if error > LOST and found.measured < LOST:
+            change = float(np.linalg.norm(moved, axis=1).max())
+            if change > LOST and found.measured < LOST:
                 return found  # the finer one has left for another equilibrium
+            # A node may lie well by chance, and then the change tells too little: the error goes with the elements.
+            expected = max(expected, change) * width / before
+            error = max(change, CHANCE * expected)
             found = replace(finer, measured=error)
             deep = (
                 around_it.deepest(found.shape) or problem.apart and problem.own.depths(found.shape)
@@ -165,26 +168,30 @@ def _gathered(problem, found):
 def _places(problem, trial):
     """Arc lengths where contact begins or ends, or is at a point."""
     around_it, s = problem.surroundings, trial.shape.arc_length
-    acting = np.linalg.norm(trial.contact_forces, axis=2).any(axis=1)
+    force = np.linalg.norm(trial.contact_forces, axis=2).sum(axis=1)
     places = []
-    for a, b in runs(acting):
-        places += [s[a]] if b == a + 1 else [s[a], s[b - 1]]
+    for a, b in runs(force > 0):
+        places += _ends(s[a:b], force[a:b])
     touches = trial.with_itself
+    force = np.linalg.norm(touches.forces, axis=1)
     for place in touches.places(problem.own.radius):
-        # What the solver leaves of its barrier beside a point is no contact.
-        weight = np.linalg.norm(touches.forces[place], axis=1)
-        place = place[weight > FAINT * weight.max()]
-        if len(place) < LINED:
-            weight = np.linalg.norm(touches.forces[place], axis=1)
-            places += [np.average(t[place], weights=weight) for t in (touches.here, touches.there)]
-        else:
-            places += [*touches.here[place[[0, -1]]], *touches.there[place[[0, -1]]]]
+        places += _ends(touches.here[place], force[place])
+        places += _ends(touches.there[place], force[place])
     if problem.apart:
         places += problem.own.mesh_places(trial.shape)
     if around_it.deepest(trial.shape):
         worst = int(np.argmin(around_it.between(trial.shape)))
         places.append((s[worst] + s[worst + 1]) / 2)
     return places
+
+
+def _ends(arc_length, force):
+    """Where a contact begins and ends, from its nodes; of two, which share a force between them, the middle.
+    What the solver leaves of its barrier beside a contact is none."""
+    there = np.flatnonzero(force > FAINT * force.max())
+    if there[-1] - there[0] <= 1:
+        return [float(np.average(arc_length[there], weights=force[there]))]
+    return [arc_length[there[0]], arc_length[there[-1]]]
 
 
 def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
