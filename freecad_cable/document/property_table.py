@@ -4,6 +4,7 @@
 import math
 from dataclasses import dataclass
 
+import FreeCAD
 from FreeCAD import Units
 
 from ..errors import DocumentError
@@ -50,7 +51,12 @@ def complete(obj, table):
             setattr(obj, prop.name, Units.Quantity(f"1 {prop.unit}").Unit)
         if new and prop.value is not None:
             setattr(obj, prop.name, prop.value)
-    if obj.SchemaVersion != SCHEMA_VERSION:
+    if obj.SchemaVersion > SCHEMA_VERSION:
+        FreeCAD.Console.PrintWarning(
+            f"{obj.Label} was stored by a later version of the Cable workbench; what this one does not know it leaves "
+            "alone. Update the workbench.\n"
+        )
+    elif obj.SchemaVersion < SCHEMA_VERSION:
         obj.SchemaVersion = SCHEMA_VERSION
 
 

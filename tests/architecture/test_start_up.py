@@ -41,6 +41,10 @@ def test_the_manifest_names_what_is_there():
     assert workbench.find("m:classname", MANIFEST).text == "CableWorkbench"
     assert (CHECKOUT / workbench.find("m:icon", MANIFEST).text).is_file()
     assert (CHECKOUT / manifest.find("m:license", MANIFEST).get("file")).is_file()
+    assert manifest.find("m:freecadmin", MANIFEST).text == "0.20.2"
+    assert manifest.find("m:pythonmin", MANIFEST).text == "3.11"
+    needed = {d.text for d in manifest.findall("m:depend", MANIFEST) if d.get("type") == "python"}
+    assert needed == {"casadi", "numpy", "scipy"}
 
 
 def test_one_version():

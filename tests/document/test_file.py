@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A saved document opens with the same numbers, without solving and without CasADi."""
 
-import json
-import os
 import shutil
-import subprocess
 import tempfile
 from pathlib import Path
 from unittest import mock
@@ -12,16 +9,14 @@ from unittest import mock
 import FreeCAD
 import numpy as np
 from FreeCAD import Placement, Rotation, Vector
+from fresh import in_a_fresh_process
 from reader import seen
 from scenes import DocumentTest
 
-import freecad_cable
 from freecad_cable.document import make, solving
 from freecad_cable.document.stored_solution import NODES
 
 ASIDE = Placement(Vector(0, 0, 30), Rotation())
-
-READER = Path(__file__).with_name("reader.py")
 
 
 class FileTest(DocumentTest):
@@ -93,7 +88,7 @@ class FileTest(DocumentTest):
         self.assertEqual(len(self.cable.SupportForces), 2)
         self.before = seen(self.cable)
         self.doc.save()
-        observed = self.in_a_fresh_process()
+        observed = in_a_fresh_process(self.path, self.folder)
         self.assertEqual(observed["modules"], [])
         self.assertSame(observed["opened"])
         self.assertSame(observed["recomputed"])
@@ -135,7 +130,7 @@ class FileTest(DocumentTest):
         self.assertEqual(cable.BalanceResidual, 0)
 
     def test_a_fresh_process_without_casadi(self):
-        observed = self.in_a_fresh_process()
+        observed = in_a_fresh_process(self.path, self.folder)
         self.assertEqual(observed["modules"], [])
         self.assertSame(observed["opened"])
         self.assertSame(observed["recomputed"])
@@ -148,25 +143,3 @@ class FileTest(DocumentTest):
         self.assertGreater(length, 120)
         self.assertAlmostEqual(drawn / length, 1, delta=1e-4)
         self.assertIn("CasADi is not installed", said)
-
-    def in_a_fresh_process(self):
-        program = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
-        result = self.folder / "seen.json"
-        root = str(Path(freecad_cable.__file__).parents[1])
-        environment = os.environ | {
-            "CABLE_FILE": self.path,
-            "CABLE_SEEN": str(result),
-            "PYTHONPATH": os.pathsep.join([root, os.environ.get("PYTHONPATH", "")]),
-        }
-        code = f"exec(compile(open({str(READER)!r}).read(), 'reader.py', 'exec'))"
-        ran = subprocess.run(
-            [program, "-c", f"{code}\nimport os\nos._exit(0)"],
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-            timeout=120,
-        )
-        self.assertTrue(result.exists(), ran.stdout + ran.stderr)
-        return json.loads(result.read_text(encoding="utf-8"))
