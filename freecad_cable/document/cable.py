@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The cable: reads its scene, has it solved, keeps the answer, sweeps the solid."""
 
+from pathlib import Path
+
+import FreeCAD
 import Part
 from FreeCAD import Placement, Vector
 
-from ..errors import CableError, DocumentError, ProblemError
+from ..errors import CableError, DocumentError, ProblemError, SolverMissingError
 from ..options import EFFECTS
 from ..shape.centreline import centreline_wire
 from ..shape.profile import profile
@@ -198,6 +201,10 @@ def _solved(obj, scene, inputs):
         return solving.solution(obj, scene, inputs)
     except ProblemError as error:
         raise in_properties(obj, error) from None
+    except SolverMissingError as error:
+        # It ends with the command that installs it; this is where FreeCAD looks for what it does not bring.
+        folder = Path(FreeCAD.getUserAppDataDir()) / "AdditionalPythonPackages"
+        raise DocumentError(f'{obj.Label}: {error} --target "{folder}"') from None
     except CableError as error:
         raise DocumentError(f"{obj.Label}: {error}") from None
     except (ArithmeticError, ValueError) as error:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The front door of the core: a scene in, its equilibrium out."""
 
+import sys
 import threading
 from collections.abc import Callable
 from functools import partial
@@ -27,6 +28,10 @@ HEAVIEST = 5e6
 ONE_AT_A_TIME = threading.RLock()
 """CasADi's functions are not safe in threads (two that solved at once crashed Python), so of those of one process one
 solves; to use more of a machine takes processes."""
+
+
+INSTALL = f"python{sys.version_info.major}.{sys.version_info.minor} -m pip install --no-deps"
+"""With this Python, whose modules CasADi has to fit; without its NumPy, which would shadow the one that is there."""
 
 
 def find_equilibrium(
@@ -107,7 +112,7 @@ def _problem(scene, watch=None):
             raise
         raise SolverMissingError(
             "CasADi is not installed, so no cable can be solved; what was solved before can still be seen. "
-            "Install it with: python3 -m pip install --no-deps casadi"
+            f"Install it with: {INSTALL} casadi"
         ) from error
     problem = Problem.of(scene, model, watch)
     if problem.scaling.weight_ratio > HEAVIEST:

@@ -53,7 +53,8 @@ class ExpressionTest(DocumentTest):
         for unit, value in other.items():
             alias = "of_" + "".join(c if c.isalnum() else "_" for c in unit)
             cell = f"A{list(other).index(unit) + 1}"
-            sheet.set(cell, f"={value}")
+            # A spreadsheet reads N*mm^2 only with a number before each unit.
+            sheet.set(cell, f"={value}".replace("*", " * 1 "))
             sheet.setAlias(cell, alias)
             self.doc.recompute()
             for obj, prop in self.inputs():

@@ -2,6 +2,7 @@
 """Documents that users have: a file of every schema so far opens, computes, and is edited."""
 
 import shutil
+import sys
 import tempfile
 from pathlib import Path
 from unittest import mock
@@ -79,7 +80,13 @@ class StoredTest(DocumentTest):
             for when in ("opened", "recomputed"):
                 self.assertEqual(observed[when], here, when)
             self.assertIn("CasADi is not installed", observed["message"])
-            self.assertIn("pip install", observed["message"])
+            command = observed["message"].partition("Install it with: ")[2]
+            wanted = "python{}.{} -m pip install --no-deps casadi --target ".format(
+                *sys.version_info
+            )
+            self.assertTrue(command.startswith(wanted), command)
+            folder = Path(FreeCAD.getUserAppDataDir()) / "AdditionalPythonPackages"
+            self.assertEqual(command.removeprefix(wanted), f'"{folder}"')
 
     def test_a_file_of_a_later_version_is_not_called_an_older_one(self):
         cable = self.open(SCHEMA_VERSION)
