@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is solved: named problems, and the grid of extreme ones.
+"""What is solved: named problems. Extreme ones are in ``benchmarks/extreme.py``.
 
 All but the seed paper's have EI = L = 1, so that their weight per length w is the ratio w L³/EI.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,9 +17,6 @@ TILTED = ([0.95, 0.1, 0.29], [0.98, -0.05, 0.15])
 """Tangents at the ends, nearly along the chord and in no plane."""
 DRAG = 0.005
 """Length of one drag step, relative to the length of the cable."""
-
-WEIGHT_RATIOS = (0.0, 1.0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7)
-LENGTH_RATIOS = (1.0001, 1.001, 1.01, 1.1, 1.5, 2.0, 5.0, 20.0, 50.0)
 
 
 @dataclass(frozen=True)
@@ -102,10 +98,3 @@ CASES = (
         "swivel and free", "a swivel at 45° upwards and a free end, w L³/EI = 30", cantilever(30.0)
     ),
 )
-
-
-def extreme_grid() -> Iterator[tuple[float, float, Scene]]:
-    """(w L³/EI, length over chord, scene), row by row of the picture."""
-    for length_ratio in LENGTH_RATIOS:
-        for weight_ratio in WEIGHT_RATIOS:
-            yield weight_ratio, length_ratio, tilted(length_ratio, weight_ratio)

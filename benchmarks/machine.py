@@ -20,10 +20,10 @@ def facts() -> dict[str, str]:
     return {
         "commit": _commit(),
         "date": datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
-        "Python": platform.python_version(),
+        "python": platform.python_version(),
         **versions,
-        "CPU": f"{_processor()}, {os.cpu_count()} processors",
-        "other load at the start": f"{os.getloadavg()[0]:.1f} processes",
+        "cpu": f"{_processor()}, {os.cpu_count()} processors",
+        "load": f"{os.getloadavg()[0]:.1f}",
     }
 
 

@@ -9,24 +9,17 @@ import math
 import time
 from dataclasses import dataclass, replace
 
-import numpy as np
-from scipy.interpolate import BPoly
-
 from benchmarks.cases import Case, moved
+from benchmarks.exact import Exact
 from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Scene
-from freecad_cable.reference.state import RodState
-from freecad_cable.reference.strong_form import equilibrium
+from freecad_cable.problem.reduce import reduce
 from freecad_cable.result import Solution
+from freecad_cable.solve.trial import Problem
+from freecad_cable.transcription.nlp import build
 
 REPEATS = 4
-UNCERTAIN = 1e-10
-"""How well, relative to the length, an exact shape must be known: a hundredth of the errors measured against it
-that matter."""
-ANOTHER = 0.01
-"""Distance, relative to the length, from which a shape is another equilibrium and not an error."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +54,7 @@ class Work:
     """which one of the case, in the order in which they were met, from 0"""
 
 
-def works(case: Case, wanted: list[SolveOptions], known: "Exact") -> list[Work]:
+def works(case: Case, wanted: list[SolveOptions], known: Exact) -> list[Work]:
     """A row for each of the options. Repeats go round all of them, so that what else the machine does
     for some seconds falls on no row alone."""
     rows = [work(case, options, known) for options in wanted]
@@ -78,7 +71,7 @@ def _quicker(row, other):
     return replace(row, **{name: min(pair) for name, pair in times.items() if None not in pair})
 
 
-def work(case: Case, options: SolveOptions, known: "Exact") -> Work:
+def work(case: Case, options: SolveOptions, known: Exact) -> Work:
     """One row, nothing repeated."""
     row = Work(case.name, options.scheme, options.solver, options.tolerance)
     try:
@@ -125,57 +118,6 @@ def _timed(scene, start=None) -> tuple[Solution, float]:
     return solution, time.perf_counter() - begin
 
 
-class Exact:
-    """The exact equilibria of each case, solved in strong form as they are met."""
-
-    def __init__(self):
-        self.branches: dict[str, list[Branch]] = {}
-
-    def near(self, name: str, solution: Solution) -> tuple[int, "Branch"]:
-        """The equilibrium that a solution of this case is near to, and its place in the list.
-        Errors: ``NoSolutionError``."""
-        branches = self.branches.setdefault(name, [])
-        for place, branch in enumerate(branches):
-            if branch.distance(solution) < ANOTHER * solution.scene.rod.length:
-                return place, branch
-        branch = Branch(solution.scene, equilibrium(solution.scene, solution))
-        while branch.uncertainty > UNCERTAIN:
-            # From its own nodes the solver comes back with twice as many.
-            branch = Branch(solution.scene, equilibrium(solution.scene, branch.state))
-        branches.append(branch)
-        return len(branches) - 1, branch
-
-    @property
-    def uncertainty(self) -> float:
-        """How well the worst of them is known, relative to the length."""
-        return max(branch.uncertainty for branches in self.branches.values() for branch in branches)
-
-
-class Branch:
-    """One exact equilibrium of a rod that neither stretches nor shears, read at any arc length: quintic
-    polynomials through position, tangent and curvature of its nodes."""
-
-    def __init__(self, scene: Scene, state: RodState):
-        self.state = state
-        frames = rotation.matrix(state.quaternion)
-        moment = np.einsum("kij,ki->kj", frames, state.moment)
-        curvature = scene.rod.natural_curvature + moment / scene.rod.stiffness
-        bend = np.einsum("kij,kj->ki", frames, np.cross(curvature, [0.0, 0.0, 1.0]))
-        given = np.stack([state.position, frames[:, :, 2], bend], axis=1)
-        self.position = BPoly.from_derivatives(state.arc_length, given)
-        rough = BPoly.from_derivatives(state.arc_length[::2], given[::2])
-        between = rough(state.arc_length) - state.position
-        # Twice the nodes, 2⁶ times the accuracy.
-        interpolation = np.linalg.norm(between, axis=1).max() / 2**6
-        self.uncertainty = (state.error + interpolation) / scene.rod.length
-        """how well it is known, relative to the length"""
-
-    def distance(self, solution: Solution) -> float:
-        """Largest distance of a node of the solution from its exact place [m]."""
-        apart = solution.position - self.position(solution.arc_length)
-        return float(np.linalg.norm(apart, axis=1).max())
-
-
 @dataclass(frozen=True)
 class Race:
     """The least times [s] of many solves on one uniform mesh."""
@@ -217,6 +159,8 @@ class Mesh:
     scheme: str
     elements: int
     status: str
+    unknowns: int | None = None
+    """variables of the program"""
     build: float | None = None
     cold: float | None = None
     error: float | None = None
@@ -232,6 +176,7 @@ def mesh(case: Case, scheme: str, elements: int, known: Exact) -> Mesh:
     _, exact = known.near(case.name, first)
     return replace(
         row,
+        unknowns=unknowns(scene),
         build=first.solver["build_time"],
         cold=min(_timed(scene)[1] for _ in range(REPEATS)),
         error=exact.distance(first) / scene.rod.length,
@@ -239,47 +184,7 @@ def mesh(case: Case, scheme: str, elements: int, known: Exact) -> Mesh:
     )
 
 
-@dataclass(frozen=True)
-class Cell:
-    """One run of one problem of the extreme grid; times in seconds, estimate relative to the length."""
-
-    weight_ratio: float
-    length_ratio: float
-    status: str
-    message: str = ""
-    seconds: float | None = None
-    """without the building of solvers, as far as it is known: not where a time limit struck"""
-    build: float | None = None
-    iterations: int | None = None
-    elements: int | None = None
-    estimate: float | None = None
-    balance_moment: float | None = None
-    """residual of the independent check, relative to the largest moment"""
-    balance_force: float | None = None
-
-
-def cell(weight_ratio: float, length_ratio: float, scene: Scene, solve=find_equilibrium) -> Cell:
-    """``solve``: what finds the equilibrium; one that may hang wants to be guarded."""
-    begin = time.perf_counter()
-    try:
-        solution = solve(scene)
-    except Exception as error:  # noqa: BLE001  Whatever goes wrong with a problem is its row.
-        seconds = time.perf_counter() - begin
-        return Cell(weight_ratio, length_ratio, type(error).__name__, str(error), seconds)
-    seconds = time.perf_counter() - begin
-    build = solution.solver.get("build_time", 0.0)
-    row = Cell(
-        weight_ratio,
-        length_ratio,
-        solution.status.name,
-        solution.message,
-        seconds - build,
-        build,
-        solution.solver.get("iterations"),
-        solution.solver.get("elements"),
-    )
-    if solution.position is None:
-        return row
-    row = replace(row, estimate=solution.position_error / scene.rod.length)
-    check = solution.balance
-    return replace(row, balance_moment=check.moment, balance_force=check.force)
+def unknowns(scene: Scene) -> int:
+    """Variables of the program of a scene with a given number of elements and no supports."""
+    problem = Problem.of(scene, reduce(scene))
+    return build(problem.structure((scene.options.elements,))).x.numel()

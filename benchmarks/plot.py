@@ -7,18 +7,27 @@ import numpy as np
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
-from matplotlib.colors import LinearSegmentedColormap, LogNorm
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 
-from benchmarks import stored
-from benchmarks.measure import Cell, Mesh, Work
+from benchmarks import plot_extreme, stored
+from benchmarks.measure import Mesh, Work
+from benchmarks.outcomes import Outcome
+from benchmarks.peers.asked import ELASTICA, EXUDYN, MUJOCO, OPENSEES, PAPER, SEED, SOLVE_BVP
+from benchmarks.peers.parent import OURS, Peer
+from benchmarks.scaling import Scaling
 
 COLOURS = {"magnus": "#1f6fb4", "helix": "#d9541e"}
 LINES = {"fatrop": "-", "ipopt": (0, (4, 2))}
-FAILED, INFEASIBLE, GREY = "#b00020", "#8fa3b5", "0.35"
-SECONDS = LinearSegmentedColormap.from_list("seconds", ("#eef7f0", "#8ecfae", "#2c8c86"))
-DOTS_PER_INCH = 100
+GREY = "0.35"
+PEERS = {
+    OURS: ("#1f6fb4", "o"),
+    SOLVE_BVP: ("#2c8c86", "s"),
+    SEED: ("#7a5195", "D"),
+    EXUDYN: ("#d9541e", "^"),
+    OPENSEES: ("#e0a100", "v"),
+    ELASTICA: ("#b00020", "P"),
+    MUJOCO: ("#5c6b77", "X"),
+}
 
 FITTED = 16
 """Elements from which the order is fitted: coarser meshes are not yet in its range."""
@@ -41,15 +50,17 @@ plt.rcParams.update(
 
 def main():
     work_precision(stored.read(Work))
+    peers(stored.read(Peer))
     orders(stored.read(Mesh))
-    grid(stored.read(Cell))
+    scaling(stored.read(Scaling))
+    plot_extreme.families(stored.read(Outcome))
 
 
 def order(rows: list[Mesh]) -> tuple[float, float]:
-    """(order, log of the factor) of error = factor · elements^−order, by least squares of logarithms."""
-    fitted = [(r.elements, r.error) for r in rows if _fits(r)]
-    elements, errors = np.log(fitted).T
-    slope, factor = np.polyfit(elements, errors, 1)
+    """(order, log of the factor) of error = factor · unknowns^−order, by least squares of logarithms."""
+    fitted = [(r.unknowns, r.error) for r in rows if _fits(r)]
+    unknowns, errors = np.log(fitted).T
+    slope, factor = np.polyfit(unknowns, errors, 1)
     return -slope, factor
 
 
@@ -59,6 +70,8 @@ def _fits(row):
 
 def work_precision(rows: list[Work]):
     """True error against seconds: a panel for each case, a line for each scheme and solver."""
+    if not rows:
+        return
     names = list(dict.fromkeys(row.case for row in rows))
     figure, panels = plt.subplots(
         2, -(-len(names) // 2), figsize=(13.5, 6.4), sharex=True, sharey=True, squeeze=False
@@ -84,7 +97,7 @@ def work_precision(rows: list[Work]):
     legend.append(Line2D([], [], color=GREY, marker="x", ls="", label="not converged"))
     figure.legend(handles=legend, loc="lower center", ncols=5, frameon=False)
     figure.tight_layout(rect=(0, 0.05, 1, 1))
-    _save(figure, "work-precision.png")
+    plot_extreme.save(figure, "work-precision.png")
 
 
 def _line(axes, rows, colour, line):
@@ -99,25 +112,27 @@ def _fill(colour, line):
 
 
 def orders(rows: list[Mesh]):
-    """True error against elements with the fitted order, and seconds against elements."""
+    """True error against unknowns with the fitted order, and seconds against unknowns."""
+    if not rows:
+        return
     names = list(dict.fromkeys(row.case for row in rows))
     figure, panels = plt.subplots(1, len(names) + 1, figsize=(12.5, 4.3), squeeze=False)
     for name, axes in zip(names, panels[0], strict=False):
         for scheme, colour in COLOURS.items():
             own = [r for r in rows if (r.case, r.scheme) == (name, scheme) and r.error]
-            elements = np.array([r.elements for r in own if _fits(r)])
+            unknowns = np.array([r.unknowns for r in own if _fits(r)], float)
             slope, factor = order(own)
-            fit = np.exp(factor) * elements**-slope
-            axes.plot(elements, fit, color=colour, label=f"{scheme}, order {slope:.2f}")
-            axes.plot([r.elements for r in own], [r.error for r in own], "o", color=colour)
+            fit = np.exp(factor) * unknowns**-slope
+            axes.plot(unknowns, fit, color=colour, label=f"{scheme}, order {slope:.2f}")
+            axes.plot([r.unknowns for r in own], [r.error for r in own], "o", color=colour)
         axes.set(title=name, ylabel="true error / length")
         axes.legend(frameon=False)
     axes = panels[0, -1]
     for scheme, colour in COLOURS.items():
         own = [r for r in rows if (r.case, r.scheme) == (names[0], scheme) and r.cold]
-        axes.plot([r.elements for r in own], [r.cold for r in own], "o-", color=colour)
+        axes.plot([r.unknowns for r in own], [r.cold for r in own], "o-", color=colour)
         axes.plot(
-            [r.elements for r in own], [r.build for r in own], "s:", color=colour, mfc="white"
+            [r.unknowns for r in own], [r.build for r in own], "s:", color=colour, mfc="white"
         )
     axes.set(title=f"{names[0]}, fatrop", ylabel="seconds")
     legend = [
@@ -126,71 +141,69 @@ def orders(rows: list[Mesh]):
     ]
     axes.legend(handles=legend, frameon=False)
     for axes in panels[0]:
-        axes.set(xscale="log", yscale="log", xlabel="elements of a uniform mesh")
-        meshes = sorted({row.elements for row in rows})
-        axes.set_xticks(meshes, meshes)
-        axes.minorticks_off()
+        axes.set(xscale="log", yscale="log", xlabel="unknowns, uniform mesh")
     figure.tight_layout()
-    _save(figure, "order.png")
+    plot_extreme.save(figure, "order.png")
 
 
-def grid(rows: list[Cell]):
-    """How every cell of the extreme grid ended, and the seconds it took."""
-    columns = sorted({row.weight_ratio for row in rows})
-    lines = sorted({row.length_ratio for row in rows})
-    figure, axes = plt.subplots(figsize=(10.4, 6.6))
-    norm = LogNorm(0.03, 10)
-    for row in rows:
-        x, y = columns.index(row.weight_ratio), lines.index(row.length_ratio)
-        failed = row.status not in ("CONVERGED", "INFEASIBLE")
-        colour = SECONDS(norm(max(row.seconds, norm.vmin)))
-        if row.status != "CONVERGED":
-            colour = FAILED if failed else INFEASIBLE
-        axes.add_patch(plt.Rectangle((x, y), 1, 1, facecolor=colour, edgecolor="white", lw=2))
-        detail = outcome(row) if row.status != "CONVERGED" else f"{row.elements} elements"
-        ink = "white" if failed else "0.1"
-        axes.text(x + 0.5, y + 0.6, f"{row.seconds:.2g} s", ha="center", color=ink, fontsize=10)
-        axes.text(x + 0.5, y + 0.25, detail, ha="center", color=ink, fontsize=7)
-    axes.set_xlim(0, len(columns))
-    axes.set_ylim(0, len(lines))
-    axes.set_xticks(np.arange(len(columns)) + 0.5, [_power(value) for value in columns])
-    axes.set_yticks(np.arange(len(lines)) + 0.5, [f"{value:g}" for value in lines])
-    axes.set(xlabel="weight against bending, w L³/EI", ylabel="length / chord")
-    axes.tick_params(length=0)
-    axes.spines[:].set_visible(False)
-    axes.grid(visible=False)
-    axes.set_title(
-        "Clamped, slightly tilted ends: how the search ended, and after how long", pad=12
-    )
-    scale = figure.colorbar(
-        plt.cm.ScalarMappable(norm, SECONDS), ax=axes, label="seconds, converged", shrink=0.6
-    )
-    scale.outline.set_visible(False)
+def peers(rows: list[Peer]):
+    """True error against seconds of all, on Table 1 and on a cantilever."""
+    if not rows:
+        return
+    figure, panels = plt.subplots(1, 2, figsize=(13.5, 5.4), sharex=True, sharey=True)
+    for problem, axes in zip((PAPER, "cantilever"), panels, strict=True):
+        for peer, (colour, marker) in PEERS.items():
+            for start in ("cold", "answer"):
+                lines = {}
+                for r in rows:
+                    if (r.problem, r.peer, r.start) == (problem, peer, start) and r.error:
+                        lines.setdefault(
+                            (r.variant, r.steps if r.peer != OPENSEES else 0), []
+                        ).append(r)
+                for own in lines.values():
+                    own.sort(key=lambda row: row.error)
+                    axes.plot(
+                        [r.seconds for r in own],
+                        [r.error for r in own],
+                        color=colour,
+                        marker=marker,
+                        ls="-" if start == "cold" else ":",
+                        mfc=colour if start == "cold" else "white",
+                    )
+        axes.set(xscale="log", yscale="log", title=problem, xlabel="seconds")
+    panels[0].set_ylabel("true error / length")
     legend = [
-        Patch(color=SECONDS(0.5), label="converged"),
-        Patch(color=INFEASIBLE, label="named infeasible"),
-        Patch(color=FAILED, label="failed"),
+        Line2D([], [], color=colour, marker=marker, label=peer)
+        for peer, (colour, marker) in PEERS.items()
     ]
-    figure.legend(handles=legend, loc="lower right", frameon=False)
+    legend.append(
+        Line2D([], [], color=GREY, ls=":", marker="o", mfc="white", label="from our answer")
+    )
+    figure.suptitle("Error against run time: everybody at the error that they reach", fontsize=12)
+    figure.legend(handles=legend, loc="lower center", ncols=4, frameon=False)
+    figure.tight_layout(rect=(0, 0.1, 1, 1))
+    plot_extreme.save(figure, "peers.png")
+
+
+def scaling(rows: list[Scaling]):
+    """Seconds against elements up to thousands."""
+    if not rows:
+        return
+    figure, axes = plt.subplots(figsize=(6.4, 4.3))
+    for scheme, colour in COLOURS.items():
+        own = [r for r in rows if r.scheme == scheme and r.status == "CONVERGED"]
+        elements = [r.elements for r in own]
+        axes.plot(elements, [r.cold for r in own], "o-", color=colour, label=scheme)
+        axes.plot(elements, [r.in_solver for r in own], "o:", color=colour, mfc="white")
+    if own:
+        linear = own[0].cold / own[0].elements * np.array(elements)
+        axes.plot(elements, linear, color=GREY, lw=0.8, label="linear")
+    axes.plot([], [], "o:", color=GREY, mfc="white", label="in the solver alone")
+    axes.set(xscale="log", yscale="log", xlabel="elements", ylabel="seconds, cold, solver built")
+    axes.set_title("table 1, 0.73 m, fatrop")
+    axes.legend(frameon=False)
     figure.tight_layout()
-    _save(figure, "grid.png")
-
-
-def outcome(row) -> str:
-    """How a row ended in words; an exception by its name."""
-    if row.status == "TimeoutError":
-        return "did not return"
-    return row.status.replace("_", " ").lower() if row.status.isupper() else row.status
-
-
-def _power(value):
-    exponent = int(np.log10(value)) if value else 0
-    return f"{value:g}" if exponent < 2 else f"$10^{exponent}$"
-
-
-def _save(figure, name):
-    figure.savefig(stored.FOLDER / name, dpi=DOTS_PER_INCH)
-    plt.close(figure)
+    plot_extreme.save(figure, "scaling.png")
 
 
 if __name__ == "__main__":

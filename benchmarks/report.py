@@ -6,44 +6,53 @@ from statistics import median
 
 import numpy as np
 
-from benchmarks import plot, stored
+from benchmarks import plot, ratios, report_extreme, report_times, stored
 from benchmarks.cases import CASES, DRAG, TABLE_1
 from benchmarks.left_out import LeftOut
-from benchmarks.measure import Cell, Mesh, Race, Work
+from benchmarks.markdown import dash, ends, milliseconds, outcome, table
+from benchmarks.measure import Mesh, Race, Work
+from benchmarks.profile_solve import Part
+from benchmarks.runs import Run
+from benchmarks.scaling import Drag, Scaling
 
 SHORT = (1e-4, 1e-6)
 """Tolerances of the short tables; all are in the rows."""
 
 
-def write(facts: dict[str, str], uncertainty: float, seconds: float):
-    """``docs/benchmarks/README.md`` from the stored rows. ``uncertainty`` is that of the exact shapes,
-    relative to the length; ``seconds`` what the whole run took."""
-    facts = facts | {"whole run": f"{seconds:.0f} s"}
-    rows, meshes = stored.read(Work), stored.read(Mesh)
+def write():
+    """``docs/benchmarks/README.md`` from the stored rows."""
     sections = [
         "# Benchmarks\n\nWritten by `./run bench`; do not edit.",
-        _table(("", ""), facts.items()),
+        *report_times.runs(stored.read(Run)),
         "Times are wall-clock times of one process; of repeats the least, because other work on the machine "
         "only ever adds time. *Cold* is a whole `find_equilibrium` from nothing but the scene, its solvers built; "
         f"*warm* the same after a drag step of {DRAG:.1%} of the length, from the solution before it. Errors are "
-        "the largest distance of a node from its exact place, relative to the length of the cable; the exact "
-        f"shapes, from an independent solver of the strong form, are known to {uncertainty:.0e}.",
-        "Rows: [work.csv](work.csv), [race.csv](race.csv), [mesh.csv](mesh.csv), "
-        "[left-out.csv](left-out.csv), [grid.csv](grid.csv); "
-        "`benchmarks/measure.py` says what their columns mean.",
-        "## Cases\n\n" + _table(("case", "what"), [(case.name, case.about) for case in CASES]),
+        "the largest distance of a node from its exact place, relative to the length of the cable.",
+        "Rows: "
+        + ", ".join(f"[{name}]({name})" for name in stored.FILES.values())
+        + "; the classes in `benchmarks/` that they are rows of say what their columns mean.",
+        "## Asked and measured\n\n"
+        + table(("ratio of times in one run", "asked", "measured"), ratios.asked_and_measured()),
+        "## Cases\n\n" + table(("case", "what"), [(case.name, case.about) for case in CASES]),
         *_races(stored.read(Race)),
-        *_times(rows),
-        *_honesty(rows),
-        *_orders(meshes),
+        *ratios.peers_section(),
+        *_times(stored.read(Work)),
+        *_failures(stored.read(Work)),
+        *report_extreme.estimates(),
+        *_orders(stored.read(Mesh)),
+        *report_times.scaling(stored.read(Scaling)),
+        *report_times.drags(stored.read(Drag)),
+        *report_times.profile(stored.read(Part)),
         *_left_out(stored.read(LeftOut)),
-        *_grid(stored.read(Cell)),
+        *report_extreme.section(),
     ]
     text = "\n\n".join(sections) + "\n"
     (stored.FOLDER / "README.md").write_text(text, encoding="utf-8")
 
 
 def _races(rows):
+    if not rows:
+        return
     yield "## fatrop against ipopt"
     heads = ("length", "scheme", "fatrop [ms]", "ipopt [ms]", "ratio", "ratio of whole solves")
     lines, sums = [], []
@@ -60,15 +69,17 @@ def _races(rows):
         sums.append((scheme, *_ratio(np.sum(times, axis=0))))
         lines += [(case, scheme, *_ratio(t)) for case, t in zip(pairs, times, strict=True)]
         lines.append(("**sum**", *sums[-1]))
-    yield _table(heads, lines)
+    yield table(heads, lines)
     ratios = " and ".join(f"{line[3]} ({line[0]})" for line in sums)
     yield (
         f"On {rows[0].elements} elements, cold, fatrop needs {ratios} of the time of ipopt, summed over the "
-        f"{len(TABLE_1)} lengths of Table 1 ({_ends(rows)})."
+        f"{len(TABLE_1)} lengths of Table 1 ({ends(rows)})."
     )
 
 
 def _left_out(rows):
+    if not rows:
+        return
     yield "## What is left out"
     yield (
         "Times of a solve with and without a part of the model, and the distance between the two shapes: where the "
@@ -76,7 +87,7 @@ def _left_out(rows):
         "cost, which is why it stays in."
     )
     heads = ("part", "scene", "needed", "with [ms]", "without [ms]", "ratio", "error")
-    yield _table(
+    yield table(
         heads,
         [
             (
@@ -108,6 +119,8 @@ def _ratio(times):
 
 
 def _times(rows):
+    if not rows:
+        return
     yield "## Time for an accuracy\n\n![error against run time](work-precision.png)"
     heads = (
         "case",
@@ -120,20 +133,20 @@ def _times(rows):
         "elements",
     )
     chosen = [row for row in rows if row.solver == "fatrop" and row.tolerance in SHORT]
-    yield "With fatrop:\n\n" + _table(
+    yield "With fatrop:\n\n" + table(
         (*heads, "true error", "estimate", "energy error", "status"),
         [
             (
                 row.case,
                 f"{row.tolerance:.0e}",
                 row.scheme,
-                _milliseconds(row.cold),
-                _milliseconds(row.warm),
-                _dash(row.iterations),
-                _dash(row.warm_iterations),
-                _dash(row.elements),
-                *(_dash(value, ".1e") for value in (row.error, row.estimate, row.energy_error)),
-                plot.outcome(row),
+                milliseconds(row.cold),
+                milliseconds(row.warm),
+                dash(row.iterations),
+                dash(row.warm_iterations),
+                dash(row.elements),
+                *(dash(value, ".1e") for value in (row.error, row.estimate, row.energy_error)),
+                outcome(row),
             )
             for row in chosen
         ],
@@ -158,20 +171,16 @@ def _warm(rows):
     return [row.warm_iterations for row in rows if row.tolerance == SHORT[0]]
 
 
-def _honesty(rows):
+def _failures(rows):
+    if not rows:
+        return
     solved = [row for row in rows if row.error is not None]
     within = sum(row.error <= row.tolerance for row in solved if row.status == "CONVERGED")
     converged = [row for row in rows if row.status == "CONVERGED"]
-    yield "## Estimate and failures"
+    yield "## Failures"
     yield (
-        f"{len(rows)} rows: {_ends(rows)}. Of those that converged, {within} of {len(converged)} have a true error "
+        f"{len(rows)} rows: {ends(rows)}. Of those that converged, {within} of {len(converged)} have a true error "
         "within the tolerance asked for."
-    )
-    bounded = sum(row.error <= row.estimate for row in solved)
-    yield (
-        f"The true error is at most the estimate in {bounded} of {len(solved)} rows, at most 1.1 times in "
-        f"{sum(row.error <= 1.1 * row.estimate for row in solved)}; the median of estimate over true error is "
-        f"{median(row.estimate / row.error for row in solved):.2f}."
     )
     several = Counter(case for case, _ in {(row.case, row.equilibrium) for row in solved})
     several = [case for case, count in several.items() if count > 1]
@@ -192,18 +201,20 @@ def _honesty(rows):
             "true error",
             "message",
         )
-        yield _table(
+        yield table(
             heads,
             [
-                (r.case, r.scheme, r.solver, f"{r.tolerance:.0e}", plot.outcome(r))
-                + (_dash(r.elements), _dash(r.error, ".1e"), r.message)
+                (r.case, r.scheme, r.solver, f"{r.tolerance:.0e}", outcome(r))
+                + (dash(r.elements), dash(r.error, ".1e"), r.message)
                 for r in failed
             ],
         )
 
 
 def _orders(rows):
-    yield "## Order\n\n![error against elements](order.png)"
+    if not rows:
+        return
+    yield "## Order\n\n![error against unknowns](order.png)"
     lines = []
     for case, scheme in dict.fromkeys((row.case, row.scheme) for row in rows):
         own = [row for row in rows if (row.case, row.scheme) == (case, scheme)]
@@ -211,56 +222,14 @@ def _orders(rows):
         slope, _ = plot.order(own)
         lines.append(
             (case, scheme, f"{slope:.2f}", finest.elements, f"{finest.error:.1e}")
-            + (_milliseconds(finest.cold), f"{finest.build:.1f}")
+            + (milliseconds(finest.cold), f"{finest.build:.1f}")
         )
-    yield _table(
+    yield table(
         ("case", "scheme", "order", "most elements", "true error", "cold [ms]", "building [s]"),
         lines,
     )
     yield (
         f"Orders are fitted to uniform meshes from {plot.FITTED} elements on, while the error is above "
-        f"{plot.FLOOR:.0e} ({len(rows)} meshes: {_ends(rows)}). Building a solver happens once in a process for a "
+        f"{plot.FLOOR:.0e} ({len(rows)} meshes: {ends(rows)}). Building a solver happens once in a process for a "
         "number of elements: in the first case above, and the second finds it built."
     )
-
-
-def _grid(rows):
-    yield "## Extreme grid\n\n![extreme grid](grid.png)"
-    solved = [row for row in rows if row.status == "CONVERGED"]
-    slowest = max(rows, key=lambda row: row.seconds)
-    yield (
-        f"{len(rows)} cells: {_ends(rows)}. Of the converged ones, half took at most "
-        f"{median(row.seconds for row in solved):.2f} s; the slowest cell of all took {slowest.seconds:.1f} s "
-        f"(w L³/EI = {slowest.weight_ratio:g}, length {slowest.length_ratio:g} times the chord). The largest residual "
-        f"of the independent balance is {max(row.balance_moment for row in solved):.1e} of the largest "
-        f"moment, its median {median(row.balance_moment for row in solved):.0e}. A cell is run once; building solvers "
-        "is not counted."
-    )
-    failed = [row for row in rows if row.status != "CONVERGED"]
-    if failed:
-        yield _table(
-            ("w L³/EI", "length / chord", "status", "seconds", "message"),
-            [
-                (f"{r.weight_ratio:g}", f"{r.length_ratio:g}", plot.outcome(r))
-                + (f"{r.seconds:.1f}", r.message)
-                for r in failed
-            ],
-        )
-
-
-def _ends(rows):
-    counts = Counter(plot.outcome(row) for row in rows).most_common()
-    return ", ".join(f"{count} {name}" for name, count in counts)
-
-
-def _dash(value, form=""):
-    return "–" if value is None else format(value, form)
-
-
-def _milliseconds(value):
-    return "–" if value is None else f"{1e3 * value:.0f}"
-
-
-def _table(heads, lines):
-    lines = [heads, ["---"] * len(heads), *lines]
-    return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines)

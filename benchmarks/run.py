@@ -1,23 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Error against run time: problem × scheme × solver × tolerance, and a grid of extreme problems.
+"""Error against run time, peers, extreme scenes: writes rows, pictures and a report of them into docs/benchmarks/.
 
-Writes rows, pictures and a report of them into docs/benchmarks/.
+Named parts alone are run anew and the others keep their rows; every part stores its rows when it is done.
 """
 
 import sys
 import time
-from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
 # Run by its path, it would find neither itself nor the package.
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from benchmarks import left_out, machine, plot, report, stored
-from benchmarks.cases import CASES, TABLE_1, extreme_grid
-from benchmarks.guarded import Guarded
-from benchmarks.measure import Exact, cell, mesh, race, works
-from freecad_cable.equilibrium import find_equilibrium
+from benchmarks import left_out, machine, plot, profile_solve, report, scaling, stored
+from benchmarks.cases import CASES, TABLE_1
+from benchmarks.exact import Exact
+from benchmarks.extreme import families, random_scenes
+from benchmarks.measure import mesh, race, works
+from benchmarks.outcomes import outcomes
+from benchmarks.peers import parent
+from benchmarks.runs import Run
 from freecad_cable.options import SolveOptions
 
 SCHEMES = ("magnus", "helix")
@@ -26,49 +28,90 @@ TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6)
 MESHES = (8, 16, 32, 64, 128, 256, 512)
 MESHED = ("table 1, 0.73 m", "anisotropic")
 RACE_ELEMENTS, RACE_ROUNDS = 50, 15
-TIME_LIMIT = 10.0
-"""[s] of a cell of the grid; elsewhere the first run builds, which must not count as failing"""
+TRUTHS, RANDOM_TRUTHS = 2, 10
+"""Of so many extreme and random scenes one is asked for its true error, which takes longer than solving it."""
 
 
-def main():
-    stored.FOLDER.mkdir(parents=True, exist_ok=True)
-    begin = time.perf_counter()
-    facts = machine.facts()
-    exact = Exact()
+def _profile(say, exact):
+    yield from profile_solve.rows()
 
-    def say(what):
-        print(f"bench: {time.perf_counter() - begin:4.0f} s  {what}", flush=True)
 
-    say("meshes")
+def _meshes(say, exact):
     meshed = [case for case in CASES if case.name in MESHED]
-    stored.write([mesh(*each, exact) for each in product(meshed, SCHEMES, MESHES)])
-    say("fatrop against ipopt")
-    races = [race(TABLE_1, scheme, RACE_ELEMENTS, RACE_ROUNDS) for scheme in SCHEMES]
-    stored.write(sum(races, []))
+    yield from (mesh(*each, exact) for each in product(meshed, SCHEMES, MESHES))
+
+
+def _race(say, exact):
+    for scheme in SCHEMES:
+        yield from race(TABLE_1, scheme, RACE_ELEMENTS, RACE_ROUNDS)
+
+
+def _work(say, exact):
     wanted = [
         SolveOptions(tolerance=tolerance, scheme=scheme, solver=solver)
         for tolerance, scheme, solver in product(TOLERANCES, SCHEMES, SOLVERS)
     ]
-    rows = []
     for case in CASES:
         say(case.name)
-        rows += works(case, wanted, exact)
-    stored.write(rows)
-    say("what is left out")
-    stored.write(left_out.rows())
-    say("extreme grid")
-    limited = SolveOptions(time_limit=TIME_LIMIT)
-    with Guarded(find_equilibrium, 1.5 * TIME_LIMIT, (CASES[0].scene,)) as solve:
-        cells = []
-        for weight_ratio, length_ratio, scene in extreme_grid():
-            solve.ready()
-            scene = replace(scene, options=limited)
-            cells.append(cell(weight_ratio, length_ratio, scene, solve))
-    stored.write(cells)
+        yield from works(case, wanted, exact)
+
+
+def _scaling(say, exact):
+    yield from (scaling.scaling(*each) for each in product(SCHEMES, scaling.ELEMENTS))
+
+
+def _drag(say, exact):
+    yield from map(scaling.drag, TABLE_1)
+
+
+def _left_out(say, exact):
+    yield from left_out.rows()
+
+
+def _peers(say, exact):
+    yield from parent.rows(say)
+
+
+def _extreme(say, exact):
+    yield from outcomes(families(), TRUTHS)
+    say("random scenes")
+    yield from outcomes(random_scenes(), RANDOM_TRUTHS)
+
+
+PARTS = {
+    "profile": _profile,
+    "meshes": _meshes,
+    "race": _race,
+    "work": _work,
+    "drag": _drag,
+    "scaling": _scaling,
+    "left-out": _left_out,
+    "peers": _peers,
+    "extreme": _extreme,
+}
+
+
+def main(wanted):
+    if unknown := set(wanted) - set(PARTS):
+        sys.exit(f"bench: no part {', '.join(unknown)}; there are {', '.join(PARTS)}")
+    begin = time.perf_counter()
+
+    def say(what):
+        print(f"bench: {time.perf_counter() - begin:4.0f} s  {what}", flush=True)
+
+    for part in wanted or PARTS:
+        say(part)
+        facts, exact, here = machine.facts(), Exact(), time.perf_counter()
+        stored.write(list(PARTS[part](say, exact)))
+        seconds = time.perf_counter() - here
+        run = Run(part, **facts, seconds=seconds, uncertainty=exact.uncertainty)
+        others = [other for other in stored.read(Run) if other.part != part]
+        order = list(PARTS)
+        stored.write(sorted([*others, run], key=lambda each: order.index(each.part)))
     say("pictures and report")
     plot.main()
-    report.write(facts, exact.uncertainty, time.perf_counter() - begin)
+    report.write()
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

@@ -6,21 +6,32 @@ from dataclasses import astuple, fields
 from pathlib import Path
 
 from benchmarks.left_out import LeftOut
-from benchmarks.measure import Cell, Mesh, Race, Work
+from benchmarks.measure import Mesh, Race, Work
+from benchmarks.outcomes import Outcome
+from benchmarks.peers.parent import Peer
+from benchmarks.profile_solve import Part
+from benchmarks.runs import Run
+from benchmarks.scaling import Drag, Scaling
 
 FOLDER = Path(__file__).resolve().parents[1] / "docs" / "benchmarks"
 FILES = {
     Work: "work.csv",
     Race: "race.csv",
     Mesh: "mesh.csv",
-    Cell: "grid.csv",
+    Scaling: "scaling.csv",
+    Drag: "drag.csv",
     LeftOut: "left-out.csv",
+    Peer: "peers.csv",
+    Outcome: "extreme.csv",
+    Part: "profile.csv",
+    Run: "runs.csv",
 }
 
 
 def write(rows: list):
     """Rows of one kind into its file, six digits a number."""
     kind = type(rows[0])
+    FOLDER.mkdir(parents=True, exist_ok=True)
     with open(FOLDER / FILES[kind], "w", newline="", encoding="utf-8") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(field.name for field in fields(kind))
@@ -28,7 +39,9 @@ def write(rows: list):
 
 
 def read(kind) -> list:
-    """The stored rows of one kind."""
+    """The stored rows of one kind; none if their part was never run."""
+    if not (FOLDER / FILES[kind]).exists():
+        return []
     with open(FOLDER / FILES[kind], newline="", encoding="utf-8") as file:
         return [
             kind(**{field.name: _value(row[field.name], field.type) for field in fields(kind)})
