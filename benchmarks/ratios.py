@@ -125,8 +125,8 @@ def peers_section():
         "solves: Exudyn's and PyElastica's stretches and shears, OpenSeesPy's stretches. *Cold* is from a smooth curve "
         "of the right length, or for a beam code straight and led to the task; *answer* is from our solution, which "
         "somebody has to have. The time is that of the solve alone, without importing, compiling and building; ours "
-        "holds the error estimate, refinement, stability and the check, which no peer has. *Ratio*: its time over ours, "
-        "cold, at its error. How each is set up: `benchmarks/peers/`."
+        "holds the error estimate, refinement, stability and the check, which no peer has. *Ratio*: its time over "
+        "ours, cold, at its error. How each is set up: `benchmarks/peers/`."
     )
     heads = (
         "problem",
