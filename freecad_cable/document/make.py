@@ -65,8 +65,9 @@ def ring(doc, reference, *, position=None, inside=None, **properties):
 def cable_type(doc, name, *, card=None, **properties):
     """A cable type called ``name``; one of the library (see ``catalogue``) has its numbers, another one those given.
 
-    ``card`` is the path of a material card. With it or with youngs_modulus, shear_modulus, density the stiffness
-    follows from the material and outer_diameter. Other properties: mass_per_length, bending_stiffness,
+    ``card`` is the path of a material card, or from FreeCAD 1.0 on a material of its library: of a cable it states all
+    this; of a material, as do youngs_modulus, shear_modulus, density, the stiffness follows from it and outer_diameter.
+    Other properties: mass_per_length, bending_stiffness,
     second_bending_stiffness, slip_bending_stiffness, stick_bending_stiffness, torsional_stiffness, axial_stiffness,
     shear_stiffness, natural_curvature, min_bend_radius, min_bend_radius_moving, moving, bend_radius_convention,
     provenance (text, or lines as "MassPerLength: measured, on our scale").
@@ -76,7 +77,7 @@ def cable_type(doc, name, *, card=None, **properties):
     told = properties.pop("provenance", None) or material.pop("Provenance", ())
     with _made(doc, "App::FeaturePython", "CableType", CableType) as obj:
         obj.Label = name
-        if card or {"youngs_modulus", "shear_modulus", "density"} & set(properties):
+        if {"youngs_modulus", "shear_modulus", "density"} & set(properties):
             obj.Source = "Material"
         for key, value in (known | material).items():
             setattr(obj, key, value)

@@ -6,6 +6,8 @@ import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
+import pytest
+
 CHECKOUT = Path(__file__).resolve().parents[2]
 MANIFEST = {"m": "https://wiki.freecad.org/Package_Metadata"}
 
@@ -13,6 +15,13 @@ MANIFEST = {"m": "https://wiki.freecad.org/Package_Metadata"}
 START = """
 import sys, types
 
+stored = []
+freecad = types.ModuleType("FreeCAD")
+freecad.Version = lambda: [sys.argv[1], "0"]
+freecad.ParamGet = lambda group: types.SimpleNamespace(
+    SetString=lambda name, value: stored.append(value), SetBool=lambda name, value: None
+)
+sys.modules["FreeCAD"] = freecad
 gui = types.ModuleType("FreeCADGui")
 gui.Workbench = type("Workbench", (), {})
 gui.addWorkbench = lambda workbench: print(type(workbench).__name__, workbench.Icon)
@@ -20,17 +29,22 @@ sys.modules["FreeCADGui"] = gui
 sys.path.insert(0, ".")
 for name in ("Init.py", "InitGui.py"):
     exec(compile(open(name).read(), name, "exec"), {})
+print(*stored)
 print(*sorted({name.split(".")[0] for name in sys.modules}))
 """
 
 
-def test_starting_is_cheap_and_brings_one_workbench():
-    command = [sys.executable, "-c", START]
+@pytest.mark.parametrize("version", ["0", "1"])
+def test_starting_is_cheap_and_brings_one_workbench(version):
+    command = [sys.executable, "-c", START, version]
     outcome = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True, check=False)
     assert outcome.returncode == 0, outcome.stderr
-    workbench, modules = outcome.stdout.splitlines()
+    workbench, stored, modules = outcome.stdout.splitlines()
     assert workbench == f"CableWorkbench {CHECKOUT / 'resources/icons/cable_workbench.svg'}"
     assert not {"numpy", "scipy", "casadi", "matplotlib"} & set(modules.split())
+    # FreeCAD has a library of materials from 1.0 on, and is told where ours are.
+    assert all(Path(place).exists() for place in stored.split())
+    assert len(stored.split()) == (3 if version == "1" else 0)
 
 
 def test_the_manifest_names_what_is_there():

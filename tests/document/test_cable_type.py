@@ -1,40 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cable types: built in, from values, from a material and its card."""
+"""Cable types: from values, from a material."""
 
 import math
-import shutil
-import tempfile
-from pathlib import Path
 
 import FreeCAD
 from scenes import DocumentTest
 
 from freecad_cable.document import make
 from freecad_cable.document.cable_type import NOT_GIVEN
-from freecad_cable.document.material_card import read_card
-from freecad_cable.errors import DocumentError
-
-OLD_CARD = """; a comment: Density = 1
-[General]
-Name = Rubber
-[Mechanical]
-Density = 1.2 g/cm^3
-PoissonRatio = 0.45
-YoungsModulus = 5.8 MPa
-"""
-
-NEW_CARD = """---
-# File created by FreeCAD
-General:
-  UUID: "c6c64159-19c1-40b5-859c-10561f20f979"
-  Name: "Rubber"
-Models:
-  LinearElastic:
-    UUID: '7b561d1d-fb9b-44f6-9da9-56a4f74d7536'
-    Density: "1200 kg/m^3"
-    PoissonRatio: "0.45"
-    YoungsModulus: "5.8 MPa"
-"""
 
 
 class CableTypeTest(DocumentTest):
@@ -170,58 +143,3 @@ class CableTypeTest(DocumentTest):
     def test_two_stiffnesses(self):
         kind = make.cable_type(self.doc, "Flat", second_bending_stiffness="0.1 N*m^2")
         self.assertEqual(kind.Proxy.rod(kind, 1.0).bending_stiffness.tolist(), [1.18e-3, 0.1])
-
-
-class CardTest(DocumentTest):
-    def setUp(self):
-        super().setUp()
-        self.folder = Path(tempfile.mkdtemp())
-        self.addCleanup(shutil.rmtree, self.folder)
-
-    def card(self, text):
-        path = self.folder / "card.FCMat"
-        path.write_text(text, encoding="utf-8")
-        return str(path)
-
-    def test_cards_of_old_and_new_freecad(self):
-        for text in (OLD_CARD, NEW_CARD):
-            kind = make.cable_type(self.doc, "Hose", card=self.card(text), outer_diameter="10 mm")
-            self.compute()
-            self.assertEqual(kind.Source, "Material")
-            self.assertIn("YoungsModulus: user, material card Rubber", kind.Provenance)
-            self.assertIn("BendingStiffness: derived, from the material", kind.Provenance)
-            self.assertNotIn("placeholder", kind.Status)
-            for name, unit, expected in (
-                ("YoungsModulus", "Pa", 5.8e6),
-                ("ShearModulus", "Pa", 2e6),
-                ("Density", "kg/m^3", 1200),
-            ):
-                value = getattr(kind, name).getValueAs(unit).Value
-                self.assertAlmostEqual(value / expected, 1, delta=1e-14)
-            self.assertAlmostEqual(
-                kind.BendingStiffness.getValueAs("N*m^2").Value / (5.8e6 * math.pi * 0.01**4 / 64),
-                1,
-                delta=1e-14,
-            )
-
-    def test_a_shear_modulus_of_its_own_counts(self):
-        card = read_card(self.card(OLD_CARD + "ShearModulus = 1.5 MPa\n"))
-        self.assertEqual(card["ShearModulus"], "1500000.0 Pa")
-
-    def test_a_card_that_freecad_ships(self):
-        folders = [Path(FreeCAD.getHomePath()), Path(FreeCAD.getResourceDir())]
-        cards = [p for f in folders for p in (f / "Mod" / "Material").rglob("PVC*.FCMat")]
-        self.assertTrue(cards, "FreeCAD has no PVC card")
-        self.assertEqual(read_card(cards[0])["YoungsModulus"], "2800000000.0 Pa")
-
-    def test_what_a_card_lacks_is_named(self):
-        for text, words in (
-            (OLD_CARD.replace("Density = 1.2", "Weight = 1.2"), "has no Density"),
-            (OLD_CARD.replace("PoissonRatio", "Poisson"), "has no PoissonRatio"),
-            (OLD_CARD.replace("5.8 MPa", "soft"), "YoungsModulus: 'soft' is no number"),
-            (OLD_CARD.replace("5.8 MPa", "5.8 mm"), "YoungsModulus: '5.8 mm' is no number"),
-        ):
-            with self.assertRaisesRegex(DocumentError, words):
-                read_card(self.card(text))
-        with self.assertRaisesRegex(DocumentError, "cannot be read"):
-            read_card(self.folder / "none.FCMat")
