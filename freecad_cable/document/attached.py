@@ -43,6 +43,9 @@ class Attached(Proxy):
         """The shape that shows it, in its frame; ``size`` [mm] is that of what it stands on."""
         raise NotImplementedError
 
+    def home(self, obj):
+        return obj.Frame
+
     def set_editor_modes(self, obj):
         # The reference decides.
         obj.setEditorMode("Placement", 2)

@@ -29,6 +29,7 @@ class Observer:
             was, before = self._before or (None, None)
             if was is not obj or _differ(before, getattr(obj, name)):
                 _touch_dependents(obj)
+                _put_back(obj)
         elif name == "Group":
             _rebase_references(obj.Document)
 
@@ -75,6 +76,14 @@ def _touch_dependents(obj):
     for dependent in (obj, *dependents(obj)):
         if getattr(getattr(dependent, "Proxy", None), "follows_placements", False):
             dependent.touch()
+
+
+def _put_back(obj):
+    home = getattr(getattr(obj, "Proxy", None), "home", None)
+    if home is None or _reading(obj.Document) or obj.Document.Transacting:
+        return
+    if _differ(obj.Placement, home(obj)):
+        obj.Placement = home(obj)
 
 
 def _rebase_references(document):

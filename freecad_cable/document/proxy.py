@@ -2,6 +2,7 @@
 """What the proxies of all our objects share: properties, state in files, and what an error does."""
 
 import Part
+from FreeCAD import Placement
 
 from ..errors import CableError, DocumentError
 from . import observer, view_hook
@@ -31,6 +32,10 @@ class Proxy:
 
     def set_editor_modes(self, obj):
         """What the property editor shows and lets the user change; files do not keep that."""
+
+    def home(self, obj) -> Placement:
+        """Where it belongs, whatever hand takes hold of it: the drag of an assembly moves all that has no joint."""
+        return Placement()
 
     def run(self, obj):
         """What ``execute`` does. Errors: ``CableError`` with a sentence for the user."""

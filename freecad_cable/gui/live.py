@@ -107,7 +107,8 @@ class Live(QtCore.QObject):
                 key = solving.key(each)
                 if key in self._followed or (in_use(each) and each.Update == "Live"):
                     self._moved[key] = self._unsettled[key] = None
-                    self._soon.start()
+                    if not self._soon.isActive():  # or a steady hand would put it off for ever
+                        self._soon.start(0)
                     self._quiet.start()
 
     def _look(self):

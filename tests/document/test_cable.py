@@ -256,6 +256,7 @@ class EditTest(DocumentTest):
         self.assertEqual(self.answer(), before)
 
     def test_a_move_by_hand_is_taken_back(self):
-        self.cable.Placement.Base = Vector(1, 2, 3)
+        for obj in (self.cable, self.cable.Centreline):
+            obj.Placement.Base = Vector(1, 2, 3)
+            self.assertEqual(obj.Placement, Placement())
         self.compute()
-        self.assertEqual(self.cable.Placement, Placement())

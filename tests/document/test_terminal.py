@@ -96,7 +96,7 @@ class TerminalTest(PinTest):
         terminal = make.terminal(self.doc, (self.part, TOP))
         frame = self.frame(terminal)
         terminal.Placement.Base = Vector(1, 1, 1)
-        self.assertIn("Touched", terminal.State)
+        self.assertNear(terminal.Placement.Base, frame.Base)
         self.assertNear(self.frame(terminal).Base, frame.Base)
 
     def test_a_free_end_needs_no_reference(self):
