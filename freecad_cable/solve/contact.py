@@ -119,7 +119,7 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
     if known and not problem.surroundings.deepest(found.shape):
         error = warm.error * _coarser(problem, found, warm)
         if error <= problem.scene.options.tolerance:
-            return replace(found, measured=error)
+            return found.measured_as(error)
     return _gathered(problem, found)
 
 
@@ -135,13 +135,13 @@ def _coarser(problem, trial, warm) -> float:
 def _gathered(problem, found):
     """On meshes whose nodes gather where contact begins and ends, until the shape stays."""
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
-    found, width, expected = replace(found, measured=np.inf), 1 / FIRST, 0.0
+    found, width, expected = found.measured_as(np.inf), 1 / FIRST, 0.0
     try:
         for elements in MESHES:
             before, width = width, max(width / GATHER, NARROWEST)
             places = _places(problem, found)
             if not places:
-                return replace(found, measured=None)  # touches nothing, so the strong form holds
+                return found.measured_as(None)  # touches nothing, so the strong form holds
             start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
             finer = _settled(problem, start, BESIDE, fallback=True)
             if finer is None:
@@ -153,7 +153,7 @@ def _gathered(problem, found):
             # A node may lie well by chance, and then the change tells too little: the error goes with the elements.
             expected = max(expected, change) * width / before
             error = max(change, CHANCE * expected)
-            found = replace(finer, measured=error)
+            found = finer.measured_as(error)
             deep = (
                 around_it.deepest(found.shape) or problem.apart and problem.own.depths(found.shape)
             )

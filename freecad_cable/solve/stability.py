@@ -9,6 +9,7 @@ eigenvalue and gives the variation that leaves a saddle.
 
 import numpy as np
 from scipy.linalg import eigh, null_space, qr
+from scipy.linalg.lapack import dpotrf, dtrtrs
 from scipy.sparse import csr_matrix
 
 from ..transcription.nlp import Nlp
@@ -89,8 +90,10 @@ class SecondVariation:
                     return True
                 if len(side):
                     h += PENALTY * side.T @ side
-                factor = np.linalg.cholesky(h[nx:, nx:])
-                half = np.linalg.solve(factor, h[nx:, :nx])
+                factor, failed = dpotrf(h[nx:, nx:], lower=1)
+                if failed:
+                    return False
+                half, _ = dtrtrs(factor, h[nx:, :nx], lower=1)
                 p = h[:nx, :nx] - half.T @ half
         except np.linalg.LinAlgError:
             return False

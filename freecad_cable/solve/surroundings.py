@@ -7,6 +7,7 @@ would take the nearest side, and fold the cable around the obstacle.
 
 from dataclasses import replace
 from functools import cached_property
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -42,6 +43,7 @@ class Surroundings:
         self.indices = np.flatnonzero(in_reach(scene, scene.obstacles))
         self.obstacles = [scene.obstacles[i] for i in self.indices]
         bounds = np.array([each.bounds for each in self.obstacles]).reshape(-1, 2, 3)
+        self._seen = WeakKeyDictionary()
         self.boxes = (bounds - scaling.origin) / scaling.length
 
     def nearest(self, points, within=np.inf):
@@ -115,10 +117,11 @@ class Surroundings:
 
     def clearance(self, shape: Shape) -> float:
         """Smallest distance between the surfaces of cable and obstacles, without units."""
-        within, smallest = 2 * self.keep, np.inf
-        while self.obstacles and not smallest <= within and within < 2 * FARTHEST:
-            smallest = float(self.between(shape, within).min()) + self.keep
+        within = 2 * self.keep
+        smallest = float(self.between(shape).min(initial=np.inf)) + self.keep
+        while self.obstacles and not smallest <= within and within < FARTHEST / 2:
             within *= 4
+            smallest = float(self._between(shape, within).min()) + self.keep
         return smallest - self.radius
 
     def deepest(self, shape: Shape) -> float:
@@ -131,13 +134,18 @@ class Surroundings:
         gap = self.between(shape)
         return float(shape.steps @ np.where(gap < 0, -gap if weighted else 1.0, 0.0))
 
-    def between(self, shape: Shape, within=None) -> np.ndarray:
-        """(n,) smallest gap over each element, its inside included; infinite where no obstacle is ``within`` a
-        distance, or twice what is to keep."""
+    def between(self, shape: Shape) -> np.ndarray:
+        """(n,) smallest gap over each element, its inside included; infinite where no obstacle is within twice the
+        distance to keep. Asked for often of one shape."""
+        if shape not in self._seen:
+            self._seen[shape] = self._between(shape, 2 * self.keep)
+        return self._seen[shape]
+
+    def _between(self, shape, within):
         share = np.arange(INSIDE) / INSIDE
         fine = (shape.arc_length[:-1, None] + shape.steps[:, None] * share).ravel()
         fine = shape.on(np.append(fine, shape.arc_length[-1]))
-        _, gaps = self.gaps(fine, 2 * self.keep if within is None else within)
+        _, gaps = self.gaps(fine, within)
         smallest = gaps.min(axis=0, initial=np.inf)
         return np.minimum(smallest[:-1].reshape(-1, INSIDE).min(axis=1), smallest[INSIDE::INSIDE])
 

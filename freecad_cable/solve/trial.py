@@ -3,7 +3,7 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -57,6 +57,13 @@ class Trial:
     """error found by comparing meshes, where bounds act and the strong form does not hold as it is"""
     owners: np.ndarray | None = None
     """(n+1, contacts) which of the scene's obstacles each contact row keeps away from; −1 for none"""
+
+    def measured_as(self, error: float | None) -> "Trial":
+        """The same with its error measured; all else that has been read of it stays read."""
+        other = replace(self, measured=error)
+        read = vars(self).keys() - vars(other).keys() - {"error"}
+        vars(other).update((name, vars(self)[name]) for name in read)
+        return other
 
     @cached_property
     def energies(self) -> np.ndarray:
