@@ -68,7 +68,11 @@ def solution(problem, trial) -> Solution:
         ),
         support_nodes=nodes,
         min_bend_radius=min(
-            smallest_bend_radius(part.arc_length * length, part.strain[:, :3] / length)
+            smallest_bend_radius(
+                part.arc_length * length,
+                part.strain[:, :3] / length,
+                kinked=trial.touches or trial.nlp.structure.bend_limit,
+            )
             for part in shape.parts()
         ),
         formed=_formed(problem, trial) if trial.nlp.structure.bend_limit else (),

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..geometry.runs import runs
 from ..problem import Swivel
 from ..problem.reduce import orientation, reduce
 from ..transcription.guess import guess, hangs, roll_mismatch, rolled
@@ -31,6 +32,11 @@ SOFT = 0.2
 """GJ/EI below which a cable hardly resists twist."""
 LOOSE = 0.65
 """Chord, relative to the length, below which a cable may as well loop as hang: both are tried."""
+HELD_AT = 1e-3
+"""How near to the limit, relative to it, a curvature is taken to be held there."""
+KINK = 2e-3
+"""Shortest elements beside a kink of the curvature, relative to the length: an element with a kink in it misses its own
+share of the moment."""
 DOUBTFUL_ROLL = 2.0
 """Twist [rad] of a guess beyond which the other way round may cost less (at π they are alike)."""
 
@@ -75,7 +81,19 @@ def _formed(problem, trial):
     found = problem.solve(trial.shape)
     if found is None or problem.scene.options.elements is not None:
         return found
-    return refined(problem, found)
+    return _kinked(problem, refined(problem, found), limit)
+
+
+def _kinked(problem, trial, limit):
+    """With nodes where the limit begins and ends to act: there the curvature has a kink."""
+    bend, s = np.linalg.norm(trial.shape.strain[:, :2], axis=1), trial.shape.arc_length
+    places = [s[k] for a, b in runs(bend > limit * (1 - HELD_AT)) for k in (a, b - 1)]
+    nodes = mesh.gathered(trial.shape, mesh.size(3 * len(trial.shape.steps)), places, KINK)
+    try:
+        finer = problem.solve(trial.shape.on(nodes))
+    except TimeUpError:
+        return trial
+    return trial if finer is None or not finer.stable else finer
 
 
 def _free(problem, warm):

@@ -7,6 +7,7 @@ elsewhere; planar shooting on that gives energy and end force. EI = L = 1, colli
 
 import numpy as np
 import pytest
+from scipy.interpolate import CubicHermiteSpline
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
@@ -42,12 +43,18 @@ def clipped(limit):
 @pytest.mark.parametrize(("limit", "energy", "force", "rise"), CLIPPED)
 def test_clipped_elastica(limit, energy, force, rise):
     solution = find_equilibrium(clipped(limit)).raise_for_status()
-    # The bound begins and ends inside elements, which misses a part h of the energy's second variation there: with
-    # h = 1/32 and a clipped moment of 10 %, 2e-4; the force is the energy's slope, five times as sensitive.
-    assert solution.energy.total == pytest.approx(energy, rel=5e-4)
-    assert np.linalg.norm(solution.start_reaction.force) == pytest.approx(force, rel=5e-3)
+    # The bound begins and ends inside elements of about h = 2e-3, which misses a part h of its second variation
+    # there: with a clipped moment of 10 %, 2e-5; the force is the energy's slope, some twenty times as sensitive.
+    assert solution.energy.total == pytest.approx(energy, rel=2e-5)
+    assert np.linalg.norm(solution.start_reaction.force) == pytest.approx(force, rel=5e-4)
     # The bound is on the nodes, and between them the curvature is linear.
     assert np.linalg.norm(solution.curvature[:, :2], axis=1).max() < limit * (1 + 1e-6)
+    assert solution.min_bend_radius[0] == pytest.approx(1 / limit, rel=1e-6)
+    # So is the curve through the nodes, to what a cubic misses of an arc of an element.
+    nodes = solution.arc_length, solution.position, rotation.tangent(solution.quaternion)
+    curve, s = CubicHermiteSpline(*nodes), np.linspace(0, 1, 5001)
+    bend = np.linalg.norm(np.cross(curve(s, 1), curve(s, 2)), axis=1)
+    assert (bend / np.linalg.norm(curve(s, 1), axis=1) ** 3).max() < 1.01 * limit
     if rise is not None:
         height = np.linalg.norm(solution.position[:, 1:], axis=1).max()
         assert height == pytest.approx(rise, abs=2e-3)
