@@ -9,6 +9,8 @@ unit, a ``Quantity``, or, of a length or an angle, a number in mm or degrees. Wr
 import re
 from contextlib import contextmanager
 
+from FreeCAD import Units
+
 from ..errors import DocumentError
 from .cable import Cable
 from .cable_type import CHANGED, SOURCED, CableType
@@ -19,6 +21,7 @@ from .proxy import proxy_of
 from .reference import based_beside, container, pairs
 from .route import Route
 from .stored_solution import nearest_node
+from .study import Study
 from .support import Clamp, Clip, Ring, Sleeve, Support
 from .terminal import Terminal
 
@@ -150,6 +153,34 @@ def route(doc, cable, *, method="Spline"):
         obj.Cable = cable
         _apply(obj, {"method": method})
     return obj
+
+
+def study(doc, cable, *, varied=None, start=None, stop=None, **properties):
+    """A study of a cable; ``studying.run(study)`` runs it.
+
+    ``varied`` is (object, "Placement.Base.x"), or the name of a property of the cable; ``start`` and ``stop``
+    ("500 mm", or a number as FreeCAD computes) are the first and the last value. Properties: count, values,
+    find_needed_length, draw ("Solids", "Centrelines", "Envelope"); kind "Random" or "Corners" with
+    length_tolerance, position_tolerance, angle_tolerance, stiffness_factor, cases, seed.
+    """
+    if proxy_of(cable, Cable) is None:
+        raise DocumentError(f"The cable is {_said(cable)}; it must be a cable.")
+    obj, path = varied if isinstance(varied, (tuple, list)) else (None, varied)
+    given = _given(varied_property=path, to=_plain("stop", stop))
+    if start is not None:
+        given["from"] = _plain("start", start)
+    with _made(doc, "Part::FeaturePython", "Study", Study, container(cable)) as made:
+        made.Cable, made.VariedObject = cable, obj
+        _apply(made, given | properties)
+    return made
+
+
+def _plain(name, value):
+    """A number as FreeCAD computes."""
+    try:
+        return Units.Quantity(value).Value if isinstance(value, str) else value
+    except (ArithmeticError, ValueError):
+        raise DocumentError(f"{name} is {value!r}; it must be a number with its unit.") from None
 
 
 def _support(doc, kind, reference, position, inside, properties):

@@ -91,6 +91,26 @@ class ShortestCommand(Command):
         return cable and [f"{cable}.LengthMode = 'Shortest'"]
 
 
+class StudyCommand(Command):
+    menu_text = "Study"
+    tooltip = "Makes a study of the selected cable, or runs the one that is selected"
+    pixmap = "cable_study"
+
+    def lines(self, picks):
+        if len(picks) != 1:
+            return None
+        if study := _existing(picks[0], "Study"):
+            return ["from freecad_cable.document import studying", f"studying.run({study})"]
+        cable = _existing(picks[0], "Cable")
+        return cable and [
+            "from freecad_cable.document import studying",
+            f"cable = {cable}",
+            "study = make.study(App.ActiveDocument, cable, varied='Length', "
+            "start=cable.SolvedLength.Value, stop=1.2 * cable.SolvedLength.Value)",
+            "studying.run(study)",
+        ]
+
+
 class InterferenceCommand(Command):
     menu_text = "Check All"
     tooltip = "Lists what the cables come near to: solids and each other, with distances and places"
@@ -130,6 +150,7 @@ COMMANDS = {
     "Cable_Clip": SupportCommand("Clip", "Grips a cable and lets it twist"),
     "Cable_Shortest": ShortestCommand(),
     "Cable_Route": RouteCommand(),
+    "Cable_Study": StudyCommand(),
     "Cable_Check": InterferenceCommand(),
     "Cable_Report": ReportCommand(),
     "Cable_Example": ExampleCommand(),

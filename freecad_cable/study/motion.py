@@ -12,7 +12,7 @@ from ..errors import ProblemError
 from ..geometry import rotation
 from ..problem import Scene
 from ..result import Solution
-from .path import Jump, Step
+from .path import Jump, Step, change, follow
 
 
 @dataclass(frozen=True)
@@ -101,3 +101,33 @@ def envelope(solutions: Iterable[Solution], spacing: float) -> np.ndarray:
         curve = CubicHermiteSpline(s, solution.position, rotation.tangent(solution.quaternion))
         found.append(curve(np.linspace(0, s[-1], count)))
     return np.concatenate(found) if found else np.zeros((0, 3))
+
+
+MOST_SHAPES = 400
+"""Of an envelope."""
+
+
+def close_together(
+    scene_at: Callable[[float], Scene], steps: list[Step], spacing: float, tick=lambda: None
+) -> list[Step]:
+    """The steps of a path with as many between them as it takes for no node to move farther than ``spacing`` [m]
+    from one to the next; what jumps stays apart. ``tick`` is called for each that is added."""
+    found = []
+    for step in steps:
+        last = next((each for each in reversed(found) if each.solved), None)
+        if last is not None and step.solved and not step.jumps:
+            found += _between(scene_at, last, step, spacing, MOST_SHAPES - len(found), tick)
+        found.append(step)
+    return found
+
+
+def _between(scene_at, one, other, spacing, most, tick):
+    length = one.solution.arc_length[-1]
+    moved = change(one.solution, other.solution)[0] * length
+    count = min(int(np.ceil(moved / spacing)), max(most, 1))
+    inside = np.linspace(one.value, other.value, count + 1)[1:-1]
+    found = []
+    for step in follow(scene_at, inside, start=one.solution):
+        tick()
+        found.append(step)
+    return found

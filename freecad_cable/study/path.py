@@ -16,7 +16,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from ..equilibrium import find_equilibrium
-from ..errors import ProblemError
+from ..errors import DocumentError, ProblemError
 from ..geometry import rotation
 from ..problem import Scene
 from ..result import Solution, is_near
@@ -130,8 +130,8 @@ class _Walk:
                 solution = self._solved(scene)
             else:
                 solution = self._reached(scene, value, jumps)
-        except ProblemError as wrong:
-            error = f"{wrong}."
+        except (ProblemError, DocumentError) as wrong:
+            error = f"{str(wrong).rstrip('.')}."
         if solution is not None and solution.status.success:
             self.here = value, solution
         spent = time.perf_counter() - begin
@@ -160,7 +160,7 @@ class _Walk:
         middle = (here + value) / 2
         try:
             half = self._reached(self.scene_at(middle), middle, jumps)
-        except ProblemError:
+        except (ProblemError, DocumentError):
             half = None
         if half is None or not half.status.success:
             return self._beyond(scene, value, jumps)

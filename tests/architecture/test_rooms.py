@@ -33,7 +33,7 @@ TABLE = {
     "shape": (CORE, "numpy FreeCAD MeshPart Part"),
     "document": (f"{CORE} equilibrium study shape", "numpy FreeCAD Part"),
     "demo": (f"{CORE} equilibrium study shape document", "numpy matplotlib FreeCAD Part Import"),
-    "gui": (f"{CORE} shape document", "FreeCAD FreeCADGui Part PySide pivy"),
+    "gui": (f"{CORE} study shape document", "FreeCAD FreeCADGui Part PySide pivy"),
     "Init.py": ("document", ""),
     "InitGui.py": ("gui", "FreeCADGui"),
 }

@@ -21,10 +21,11 @@ TITLES = [
     *SUPPORTS,
     "Shortest Length",
     "Comparison Route",
+    "Study",
     *OF_ALL,
     "Example",
 ]
-OF_A_CABLE = ["Shortest Length", "Comparison Route", *OF_ALL]
+OF_A_CABLE = ["Shortest Length", "Comparison Route", "Study", *OF_ALL]
 
 
 def active():

@@ -8,6 +8,7 @@ from .cable import CableView
 from .cable_type import CableTypeView
 from .centreline import CentrelineView
 from .route import RouteView
+from .study import StudyView
 from .support import ClampView, ClipView, RingView, SleeveView
 from .terminal import TerminalView
 
@@ -20,6 +21,7 @@ VIEWS = {
     "Ring": RingView,
     "Route": RouteView,
     "Sleeve": SleeveView,
+    "Study": StudyView,
     "Terminal": TerminalView,
 }
 """Class of the proxy: class of the view."""

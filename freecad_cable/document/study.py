@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A study in the tree: one number of the document over a range, or a tolerance, and what the cable does.
+
+It is made by ``studying.run``, not by a recompute: a recompute may change no other object, and a study does for a
+while."""
+
+from ..errors import DocumentError
+from .child import CABLE, Child
+from .property_table import Prop, wrong
+from .read_scene import read_scene
+from .stored_solution import fingerprint
+
+SETTINGS = (
+    Prop(
+        "Kind",
+        "Enumeration",
+        "Study",
+        "Values: one number of the document over a range. Random: cases within the tolerances. Corners: all "
+        "combinations of their bounds",
+        "Values",
+        choices=("Values", "Random", "Corners"),
+    ),
+    Prop(
+        "VariedObject",
+        "LinkGlobal",
+        "Values",
+        "The object that has the number, a joint or a sheet as well; empty: the cable",
+    ),
+    Prop(
+        "VariedProperty",
+        "String",
+        "Values",
+        "The number: Length, Placement.Base.x, Constraints.width, or a cell of a spreadsheet",
+        "Length",
+    ),
+    Prop("From", "Float", "Values", "First value, as FreeCAD computes: mm, degrees", 0.0),
+    Prop("To", "Float", "Values", "Last value", 0.0),
+    Prop("Count", "Integer", "Values", "Number of values from first to last", 9),
+    Prop(
+        "Values", "FloatList", "Values", "Values in their order, instead of first, last and number"
+    ),
+    Prop(
+        "FindNeededLength",
+        "Bool",
+        "Values",
+        "Search for the length that the worst value needs; takes longer",
+        False,
+    ),
+    Prop(
+        "Draw",
+        "Enumeration",
+        "Study",
+        "Solids, centrelines, or the envelope: solids so close to each other that the gaps are less than the cable",
+        "Centrelines",
+        choices=("Solids", "Centrelines", "Envelope"),
+    ),
+    Prop(
+        "LengthTolerance",
+        "Bool",
+        "Tolerance",
+        "The cable may be as much too long as IPC/WHMA-A-620 allows: 50 mm up to 1.5 m",
+        True,
+    ),
+    Prop(
+        "PositionTolerance",
+        "Distance",
+        "Tolerance",
+        "How far each terminal may be from its place, along each axis",
+        unit="mm",
+    ),
+    Prop(
+        "AngleTolerance",
+        "Angle",
+        "Tolerance",
+        "How far each terminal may be turned, about each axis it holds",
+        unit="deg",
+    ),
+    Prop(
+        "StiffnessFactor",
+        "Float",
+        "Tolerance",
+        "By what factor the cable may be stiffer or softer; 1: its stiffness is known",
+        1.0,
+    ),
+    Prop("Cases", "Integer", "Tolerance", "Number of random cases", 200),
+    Prop("Seed", "Integer", "Tolerance", "Number that the random cases follow from", 1),
+)
+
+RESULTS = tuple(
+    Prop(name, kind, "Result", text, result=True)
+    for name, kind, text in (
+        ("SmallestBendRadius", "Distance", "Smallest bend radius of all shapes"),
+        ("SmallestBendRadiusValue", "Float", "Value at which it is"),
+        ("LargestEndForce", "Float", "Largest force of a connector on the cable, in N"),
+        ("LargestEndForceValue", "Float", "Value at which it is"),
+        ("SmallestClearance", "Distance", "Smallest clearance of all shapes; infinite without any"),
+        ("SmallestClearanceValue", "Float", "Value at which it is"),
+        ("NeededLength", "Length", "Length that the worst value needs"),
+        ("NeededLengthValue", "Float", "Value at which it is needed"),
+        ("AllowedLength", "Length", "Length that all values allow"),
+        ("JumpValues", "FloatList", "Values at which the cable jumps to another shape, or buckles"),
+        ("Notes", "StringList", "What happened, value by value"),
+        ("Share", "Float", "Share of the cases that hold"),
+        ("ShareBetween", "FloatList", "Between what that is for all cables, with 95 % confidence"),
+        ("WorstCase", "Integer", "Row of the worst case; its shape is drawn with the nominal one"),
+        ("DrawnValues", "FloatList", "Value of each shape that is drawn"),
+        ("OutOfDate", "Bool", "Whether something has changed since the study was run"),
+        ("Status", "String", "What is wrong, or to be done"),
+    )
+)
+
+
+class Study(Child):
+    """What a cable does over a range or within tolerances."""
+
+    TABLE = (
+        CABLE,
+        *SETTINGS,
+        *RESULTS,
+        Prop("Sheet", "LinkHidden", "Result", "Spreadsheet with a row for each value", result=True),
+        Prop(
+            "Plot", "FileIncluded", "Result", "The rows as a drawing, SVG", result=True, hidden=True
+        ),
+        Prop(
+            "StudiedInputs",
+            "String",
+            "Result",
+            "Fingerprint of what was studied",
+            result=True,
+            hidden=True,
+        ),
+    )
+
+    def set_editor_modes(self, obj):
+        obj.setEditorMode("Placement", 2)
+
+    def run(self, obj):
+        """A recompute looks whether the study is up to date; ``studying.run`` brings it there."""
+        cable = self.linked_cable(obj)
+        if not obj.StudiedInputs:
+            obj.OutOfDate, obj.Status = True, "Not run yet; Run Study does."
+            return
+        obj.OutOfDate = obj.StudiedInputs != inputs(obj, read_scene(cable))
+        obj.Status = "Out of date; Run Study brings it up to date." if obj.OutOfDate else ""
+
+    def clear(self, obj, sentence):
+        super().clear(obj, sentence)
+        obj.StudiedInputs = ""
+
+
+def inputs(study, scene) -> str:
+    """Fingerprint of what a study depends on."""
+    settings = [getattr(study, prop.name) for prop in SETTINGS if "Link" not in prop.kind]
+    plain = [getattr(value, "Value", value) for value in settings]
+    return fingerprint([scene, plain, getattr(study.VariedObject, "Name", "")])
+
+
+def values(study) -> list[float]:
+    """Of a study over a range. Errors: ``DocumentError``."""
+    if study.Values:
+        return list(study.Values)
+    if study.Count < 2:
+        raise wrong(study, "Count", f"is {study.Count}; it must be at least 2.")
+    if study.From == study.To:
+        raise wrong(study, "To", f"is {study.To:g} and so is From; give a range, or Values.")
+    step = (study.To - study.From) / (study.Count - 1)
+    return [study.From + k * step for k in range(study.Count)]
+
+
+def solved_cable(study):
+    """The cable, solved and up to date. Errors: ``DocumentError``."""
+    cable = study.Proxy.linked_cable(study)
+    if not cable.SolvedInputs or cable.OutOfDate:
+        raise DocumentError(cable.Status or f"{cable.Label} is not solved; recompute it.")
+    return cable

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rows of a study as a native spreadsheet, and as a drawing."""
+
+import math
+
+import numpy as np
+
+from ..shape.units import from_si, sentence_from_si
+from ..study.colours import scale
+from ..study.plot import Panel, svg
+
+COLUMNS = (
+    ("Length [mm]", "length", "length"),
+    ("Smallest bend radius [mm]", "smallest_bend_radius", "length"),
+    ("at [mm]", "smallest_bend_radius_at", "length"),
+    ("Margin [mm]", "bend_radius_margin", "length"),
+    ("Clearance [mm]", "smallest_clearance", "length"),
+    ("Contact force [N]", "contact_force", None),
+    ("Start force [N]", "start_force", None),
+    ("Start moment [N m]", "start_moment", None),
+    ("End force [N]", "end_force", None),
+    ("End moment [N m]", "end_moment", None),
+    ("Energy [J]", "energy", None),
+    ("Stable", "stable", None),
+    ("Holds", "holds", None),
+    ("Position error [mm]", "position_error", "length"),
+    ("Time [s]", "time", None),
+)
+"""Head, field of the row, kind of unit that is not SI."""
+
+LAST = 2000
+"""Rows that go into the sheet: writing more takes longer than solving them."""
+
+
+def write(study, names, rows):
+    """Fill the spreadsheet of a study, a new one if it has none."""
+    sheet = study.Sheet
+    if sheet is None or sheet.TypeId != "Spreadsheet::Sheet":
+        sheet = study.Sheet = study.Document.addObject("Spreadsheet::Sheet", f"{study.Name}Rows")
+        sheet.Label = f"{study.Label} rows"
+    sheet.clearAll()
+    heads = [*names, *(head for head, *_ in COLUMNS), "Note"]
+    for column, head in enumerate(heads):
+        sheet.set(f"{_letters(column)}1", f"'{head}")
+    sheet.setStyle(f"A1:{_letters(len(heads) - 1)}1", "bold")
+    colours = scale([row.values[0] for row in rows])
+    for number, row in enumerate(rows[:LAST], 2):
+        for column, text in enumerate([*map(_number, row.values), *_cells(row)]):
+            if text:
+                sheet.set(f"{_letters(column)}{number}", text)
+        if len(names) == 1:
+            sheet.setBackground(f"A{number}", (*colours[number - 2], 0.5))
+    if len(rows) > LAST:
+        sheet.set(f"A{LAST + 2}", f"'and {len(rows) - LAST} more")
+    sheet.recompute()
+
+
+def _cells(row):
+    for _, field, kind in COLUMNS:
+        value = getattr(row, field)
+        if isinstance(value, bool):
+            yield "'yes" if value else "'no"
+        elif value is None or not math.isfinite(value):
+            yield ""
+        else:
+            yield _number(from_si(kind, value) if kind else value)
+    said = sentence_from_si(" ".join(filter(None, (row.note, row.error))))
+    # An apostrophe makes text of what looks like a formula.
+    yield f"'{said}" if said else ""
+
+
+def _number(value):
+    return f"{value:.6g}"
+
+
+def _letters(column):
+    """A, B, … Z, AA, …"""
+    text = chr(ord("A") + column % 26)
+    return text if column < 26 else _letters(column // 26 - 1) + text
+
+
+def plot(study, name, rows, jumps, limit) -> str:
+    """Bend radius, end forces and energy over the values, as SVG."""
+
+    def of(field, kind=None):
+        found = [getattr(row, field) for row in rows]
+        return [from_si(kind, v) if kind and v is not None else v for v in found]
+
+    panels = [
+        Panel(
+            "Smallest bend radius [mm]",
+            of("smallest_bend_radius", "length"),
+            None if limit is None else from_si("length", limit),
+        ),
+        Panel("Force of the connector at the end [N]", of("end_force")),
+        Panel("Energy [J]", of("energy")),
+    ]
+    values = [row.values[0] for row in rows]
+    return svg(study.Label, name, values, panels, [jump.value for jump in jumps])
+
+
+def histogram(study, rows, limit) -> str:
+    """What share of the cases has at most a bend radius, as SVG."""
+    radii = sorted(
+        from_si("length", row.smallest_bend_radius)
+        for row in rows
+        if row.smallest_bend_radius is not None and math.isfinite(row.smallest_bend_radius)
+    )
+    if not radii:
+        return svg(study.Label, "none of the cases has a shape", [0.0, 1.0], [])
+    chosen = np.unique(np.linspace(0, len(radii) - 1, 200).astype(int))
+    panel = Panel("Share of the cases that bend as sharply", [(k + 1) / len(radii) for k in chosen])
+    lines = () if limit is None else [from_si("length", limit)]
+    inside = [line for line in lines if radii[0] <= line <= radii[-1]]
+    return svg(
+        study.Label, "smallest bend radius [mm]", [radii[k] for k in chosen], [panel], inside
+    )

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A number somewhere in a document that is changed for a while, and everything as it was afterwards."""
+
+from contextlib import suppress
+
+import FreeCAD
+from FreeCAD import Units
+
+from ..errors import DocumentError
+from ..problem import Scene
+from .property_table import wrong
+from .read_scene import read_scene
+
+COMPUTED = ("ExpressionEngine", "cells", "Label", "Proxy", "Visibility")
+"""Properties that are not put back by assigning them."""
+
+
+class Varied:
+    """A number of an object: ``names`` lead to it, as ["Placement", "Base", "x"], ["Length"], ["Constraints",
+    "width"], or the alias or address of a cell of a spreadsheet."""
+
+    def __init__(self, study, obj, path):
+        self.study, self.obj, self.path = study, obj, path
+        self.names = path.split(".")
+        self.cell = _cell(obj, path)
+        value = self._get()
+        if isinstance(value, bool) or not isinstance(value, (int, float, Units.Quantity)):
+            raise self._wrong(
+                f"of {obj.Label} is {value!r}, which is no number; choose a numeric one."
+            )
+        self.whole = isinstance(value, int)
+        self.unit = value.Unit if isinstance(value, Units.Quantity) else None
+
+    @property
+    def unit_text(self) -> str:
+        """Of a value, as FreeCAD computes; empty if it has none."""
+        if self.unit is None:
+            return ""
+        return Units.Quantity(1.0, self.unit).toStr().partition(" ")[2]
+
+    def set(self, value):
+        """Errors: ``DocumentError`` if the property does not take it."""
+        try:
+            self._put(value)
+        except (ArithmeticError, AttributeError, RuntimeError, TypeError, ValueError) as error:
+            raise self._wrong(f"of {self.obj.Label} does not take {value:.6g}: {error}") from None
+
+    def release(self):
+        """Take away what else gives the number its value; (path, expression) to put back."""
+        found = [
+            (path, text)
+            for path, text in self.obj.ExpressionEngine
+            if path.lstrip(".") in (self.path, self.names[0])
+        ]
+        for path, _ in found:
+            self.obj.setExpression(path, None)
+        return found
+
+    def _get(self):
+        if self.cell:
+            return getattr(self.obj, self.cell, None)
+        if self.names[0] == "Constraints" and len(self.names) == 2:
+            with suppress(NameError, ValueError, RuntimeError):
+                return self.obj.getDatum(self.names[1])
+        value = self.obj
+        for name in self.names:
+            value = getattr(value, name, None)
+        return value
+
+    def _put(self, value):
+        value = round(value) if self.whole else value
+        if self.cell:
+            number = value if self.unit is None else Units.Quantity(value, self.unit)
+            text = repr(value) if self.unit is None else f"{value!r} {self.unit_text}"
+            self.obj.set(self.cell, f"={text}" if number else text)
+        elif self.names[0] == "Constraints" and len(self.names) == 2:
+            self.obj.setDatum(self.names[1], Units.Quantity(value, self.unit))
+        else:
+            _assign(self.obj, self.names, value)
+
+    def _wrong(self, complaint):
+        return wrong(self.study, "VariedProperty", f"{self.path} {complaint}")
+
+
+def _cell(obj, path):
+    """Address of a cell of a spreadsheet, or None."""
+    if obj.TypeId != "Spreadsheet::Sheet":
+        return None
+    return obj.getCellFromAlias(path) or path
+
+
+def _assign(owner, names, value):
+    """FreeCAD hands out copies of what is inside, so each must be put back into what it is from."""
+    first, *rest = names
+    if rest:
+        inside = getattr(owner, first)
+        _assign(inside, rest, value)
+        value = inside
+    setattr(owner, first, value)
+
+
+class Kept:
+    """Remembers what every property of the open documents was before it changed, and puts it back."""
+
+    def __init__(self, varied: Varied):
+        self.varied = varied
+        self.before = {}
+
+    def __enter__(self):
+        varied = self.varied
+        self.touched = _touched()
+        self.contents = varied.cell and varied.obj.getContents(varied.cell)
+        FreeCAD.addDocumentObserver(self)
+        self.value = varied._get()
+        self.expressions = varied.release()
+        return self
+
+    def slotBeforeChangeObject(self, obj, name):
+        key = obj.Document.Name, obj.Name, name
+        if name not in COMPUTED and key not in self.before:
+            with suppress(AttributeError, RuntimeError, TypeError):
+                self.before[key] = getattr(obj, name)
+
+    def __exit__(self, *_):
+        FreeCAD.removeDocumentObserver(self)
+        varied = self.varied
+        if varied.cell:
+            varied.obj.set(varied.cell, self.contents)
+            varied.obj.recompute()
+        elif varied.names[0] == "Constraints":
+            varied.obj.setDatum(varied.names[1], self.value)
+        for path, text in self.expressions:
+            varied.obj.setExpression(path, text)
+        # The last first: a shape takes its placement along, and was changed after it.
+        for (document, name, prop), value in reversed(self.before.items()):
+            obj = FreeCAD.getDocument(document).getObject(name)
+            if obj is not None and obj.TypeId != "Spreadsheet::Sheet":
+                with suppress(AttributeError, RuntimeError, TypeError, ValueError):
+                    setattr(obj, prop, value)
+        for document, name in _touched() - self.touched:
+            FreeCAD.getDocument(document).getObject(name).purgeTouched()
+
+
+def _touched():
+    """(document, object) of all that the next recompute would compute."""
+    return {
+        (document.Name, obj.Name)
+        for document in FreeCAD.listDocuments().values()
+        for obj in document.Objects
+        if "Touched" in obj.State
+    }
+
+
+class Family:
+    """The scenes of a cable at values of a number of its document; inside ``Kept`` only."""
+
+    def __init__(self, cable, varied: Varied):
+        self.cable, self.varied = cable, varied
+        # What the cable stands on, without the cable: that is what a study solves.
+        self.ground = {
+            document: [obj for obj in cable.OutListRecursive if obj.Document.Name == document]
+            for document in {obj.Document.Name for obj in cable.OutListRecursive}
+        }
+
+    def scene(self, value) -> Scene:
+        """Errors: ``DocumentError``."""
+        self.varied.set(value)
+        for document, objects in self.ground.items():
+            FreeCAD.getDocument(document).recompute(objects)
+        for obj in self.ground.get(self.cable.Document.Name, ()):
+            if not obj.isValid():
+                raise DocumentError(
+                    getattr(obj, "Status", "") or f"{obj.Label} cannot be computed."
+                )
+        for path, text in self.cable.ExpressionEngine:
+            _assign(self.cable, path.lstrip(".").split("."), self.cable.evalExpression(text))
+        return read_scene(self.cable)
