@@ -149,6 +149,10 @@ class Cable(Proxy):
     def rebase_references(self, obj):
         rebase(obj, "Obstacles")
 
+    def mustExecute(self, obj):
+        """Also untouched: its solve was stopped, or had not ended when the file was written."""
+        return in_use(obj) and obj.OutOfDate and obj.Update != "Manual"
+
     def run(self, obj):
         self.set_editor_modes(obj)
         if not obj.Placement.isIdentity():

@@ -88,7 +88,6 @@ def why_waiting(cable) -> str:
 def stopped(cable):
     """A person has stopped the solve of a cable."""
     cable.Status = f"{_state(cable)}: its solve was stopped; a recompute starts it again."
-    cable.touch()
 
 
 def _state(cable):

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A cable, under it in the tree what belongs to it, and over it what the window draws."""
 
+import FreeCAD
+
 from ..icons import icon
 from ..preferences import cable_colour
 from .overlay import Line
 from .view import View
+
+translate = FreeCAD.Qt.translate
 
 
 class CableView(View):
@@ -29,15 +33,22 @@ class CableView(View):
     @staticmethod
     def _solve_beside():
         """Not at every start of FreeCAD: only where there are cables."""
-        from .. import live, worker
+        from .. import live, progress, worker
 
-        worker.install()
-        live.install()
+        for each in (worker, live, progress):
+            each.install()
 
     def make_panel(self):
         from ..panels.cable import CablePanel
 
         return CablePanel(self.object)
+
+    def setupContextMenu(self, view, menu):
+        from ...document import solving
+
+        text = translate("Cable", "Solve Now")
+        menu.addAction(text).triggered.connect(lambda: solving.solve(view.Object))
+        return False  # FreeCAD's own entries stay
 
     def getIcon(self):
         return icon("cable_outdated") if self._is_old() else super().getIcon()

@@ -32,6 +32,10 @@ class Fade:
     def set(self, on):
         self.node.whichChild.setValue(coin.SO_SWITCH_ALL if on else coin.SO_SWITCH_NONE)
 
+    @property
+    def on(self):
+        return self.node.whichChild.getValue() != coin.SO_SWITCH_NONE
+
 
 class Drawing:
     """A part of the scene graph that can be seen or not, and not be picked."""
