@@ -63,4 +63,3 @@ class UpdateTest(BesideTest):
         action.trigger()
         self.wait_for(lambda: not self.cable.OutOfDate)
         self.assertNew(350)
-        FreeCADGui.updateGui()
