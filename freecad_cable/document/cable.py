@@ -177,8 +177,9 @@ class Cable(Proxy):
         self._sweep(obj, scene, inputs)
 
     def clear(self, obj, sentence):
-        super().clear(obj, sentence)
+        # First, so that whoever hears of the rest knows that it is no answer.
         obj.SolvedInputs = obj.SweptInputs = ""
+        super().clear(obj, sentence)
         solving.drop(obj)
 
     def _wait(self, obj):

@@ -41,6 +41,8 @@ class Profile:
     """outer, then holes"""
     border: np.ndarray
     """(k, 2) points on the outer outline [mm], or of a polygon about it"""
+    polygon: np.ndarray
+    """(k, 2) points of the outer outline, in order [mm]"""
     inner_radius: float
     """of the largest disc about the centreline within the outer outline [mm]; 0 if it is outside"""
 
@@ -48,11 +50,13 @@ class Profile:
 def circle(radius) -> Profile:
     """A round section of ``radius`` [mm]."""
     angle = np.linspace(0, 2 * np.pi, 64, endpoint=False)
+    points = np.stack([np.cos(angle), np.sin(angle)], axis=1)
     return Profile(
         outlines=[
             _joined([(5, CIRCLE_KNOTS, CIRCLE_MULTIPLICITIES, radius * CIRCLE, CIRCLE_WEIGHTS)])
         ],
-        border=radius / np.cos(np.pi / 64) * np.stack([np.cos(angle), np.sin(angle)], axis=1),
+        border=radius / np.cos(np.pi / 64) * points,
+        polygon=radius * points,
         inner_radius=radius,
     )
 
@@ -72,9 +76,11 @@ def profile(shape) -> Profile:
     holes = [wire for wire in face.Wires if not wire.isSame(outer)]
     origin = Vector(0, 0, 0)
     inside = Part.Face(outer).isInside(origin, 1e-7, True)
+    polygon = outer.discretize(Number=100)
     return Profile(
         outlines=[_outline(outer, True)] + [_outline(wire, False) for wire in holes],
-        border=np.array([*outer.discretize(Number=100), *(v.Point for v in outer.Vertexes)])[:, :2],
+        border=np.array([*polygon, *(v.Point for v in outer.Vertexes)])[:, :2],
+        polygon=np.array(polygon)[:, :2],
         inner_radius=Part.Vertex(origin).distToShape(outer)[0] if inside else 0.0,
     )
 

@@ -4,7 +4,7 @@
 import FreeCAD
 
 from ..selection import has_proxy
-from .inputs import Choice, Link, Number
+from .inputs import Check, Choice, Link, Number
 from .panel import Panel
 
 translate = FreeCAD.Qt.translate
@@ -45,9 +45,27 @@ class CablePanel(Panel):
             "Live": translate("Cable", "Always, while parts move"),
         }
         self.add(translate("Cable", "Solve"), Choice(cable, "Update", updates))
+        marked = {
+            "ColourByBendRadius": translate("Cable", "Colour by bend radius"),
+            "ShowTightest": translate("Cable", "Mark the tightest place"),
+            "ShowForces": translate("Cable", "Show forces"),
+            "ShowContacts": translate("Cable", "Mark contacts"),
+        }
+        for name, text in marked.items():
+            self.add("", Check(cable.ViewObject, name, text))
 
     def cables(self):
         return [self.object]
+
+    def more(self, cable):
+        for end in ("Start", "End"):
+            force = getattr(cable, f"{end}Force").Length
+            moment = getattr(cable, f"{end}Moment").Length
+            text = {
+                "Start": translate("Cable", "Force and moment at the start"),
+                "End": translate("Cable", "Force and moment at the end"),
+            }
+            yield text[end], f"{force:.3g} N, {moment:.3g} N m"
 
     def adapt(self):
         mode = self.object.LengthMode

@@ -72,17 +72,20 @@ class Link(Input):
 
 
 class Number(Input):
-    """Of a quantity or a number, with units and expressions; ``unit`` "" for a plain number."""
+    """Of a quantity or a number, with units and expressions; ``unit`` "" for a plain number. ``path`` of what the
+    expression gives, if that is a part of the property."""
 
-    def __init__(self, obj, name, unit, *, step=1.0, least=None):
+    def __init__(self, obj, name, unit, *, step=1.0, least=None, path=None):
         spin = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
         super().__init__(obj, name, spin)
+        self.path = path or name
+        spin.setObjectName(self.path)
         spin.setProperty("unit", unit)
         spin.setProperty("singleStep", step)
         if least is not None:
             spin.setProperty("minimum", least)
         self._binding = FreeCADGui.ExpressionBinding(spin)
-        self._binding.bind(obj, name)
+        self._binding.bind(obj, self.path)
         self.show()
         # PySide knows it as the plain spin box that it derives from, without this signal.
         QtCore.QObject.connect(spin, QtCore.SIGNAL("valueChanged(double)"), self._typed)
@@ -90,7 +93,7 @@ class Number(Input):
     @property
     def driven(self):
         """Whether an expression decides."""
-        return any(path.lstrip(".") == self.name for path, _ in self.obj.ExpressionEngine)
+        return any(path.lstrip(".") == self.path for path, _ in self.obj.ExpressionEngine)
 
     def _typed(self, value):
         if not self.driven:

@@ -15,7 +15,7 @@ from ..live import live
 from ..macro import assignment
 from ..worker import worker
 from .inputs import Slider
-from .verdicts import BAD, DOUBTFUL, GOOD, Said, Verdicts
+from .verdicts import BAD, DOUBTFUL, GOOD, NEUTRAL, Said, Verdicts
 
 translate = FreeCAD.Qt.translate
 
@@ -86,6 +86,10 @@ class Panel(QtCore.QObject):
     def cables(self):
         """Those whose lines follow while the panel is open; the first is the one judged."""
         raise NotImplementedError
+
+    def more(self, cable):
+        """Further rows (what, how much) of the verdict on a solved cable."""
+        return ()
 
     def adapt(self):
         """Show or hide what depends on a choice."""
@@ -178,12 +182,14 @@ class Panel(QtCore.QObject):
             self.said.say(in_words(job), DOUBTFUL)
         else:
             self._tick.stop()
-            if cable is not None and not live.is_moving(cable):
+            if cable is None:
+                self.said.say(self.object.Status, BAD if self.object.Status else NEUTRAL)
+            elif not live.is_moving(cable):
                 self._judge(cable)
 
     def _judge(self, cable):
         found = verdict.of_cable(cable)
-        self._say_verdict(cable, found)
+        self._say_verdict(cable, found, self.more(cable) if found else ())
         wrong = self.object.Status if self.object is not cable else ""
         if wrong and not self.object.isValid():
             self.said.say(wrong, BAD)
@@ -205,9 +211,9 @@ class Panel(QtCore.QObject):
         else:
             self.said.say(translate("Cable", "Preview; the solid follows when it rests."))
 
-    def _say_verdict(self, cable, found):
+    def _say_verdict(self, cable, found, more=()):
         allowed = found and cable.Tolerance * found.length
-        self.verdicts.show_verdict(found, allowed)
+        self.verdicts.show_verdict(found, allowed, more)
 
     def _stop(self):
         for cable in self.cables():

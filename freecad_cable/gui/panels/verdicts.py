@@ -30,9 +30,11 @@ class Verdicts(QtGui.QLabel):
         self.setWordWrap(True)
         self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
 
-    def show_verdict(self, verdict, tolerance):
-        """``tolerance`` of position, in mm; ``verdict`` None: there is nothing to say."""
-        self.setText(_table(rows(verdict, tolerance)) if verdict else "")
+    def show_verdict(self, verdict, tolerance, more=()):
+        """``tolerance`` of position, in mm; ``verdict`` None: there is nothing to say. ``more``: rows of what and how
+        much."""
+        found = [*rows(verdict, tolerance), *((*row, NEUTRAL) for row in more)] if verdict else []
+        self.setText(_table(found) if found else "")
 
 
 class Said(QtGui.QLabel):

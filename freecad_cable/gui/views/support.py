@@ -7,6 +7,11 @@ from .view import View
 class SupportView(View):
     line_colour = (0.2, 0.4, 0.64)
 
+    def make_panel(self):
+        from ..panels.support import SupportPanel
+
+        return SupportPanel(self.object)
+
 
 class ClampView(SupportView):
     icon_name = "cable_clamp"

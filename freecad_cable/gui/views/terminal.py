@@ -7,3 +7,8 @@ from .view import View
 class TerminalView(View):
     icon_name = "cable_terminal"
     line_colour = (0.2, 0.4, 0.64)
+
+    def make_panel(self):
+        from ..panels.terminal import TerminalPanel
+
+        return TerminalPanel(self.object)
