@@ -79,9 +79,8 @@ def asked() -> Iterator[Asked]:
     for problem in (PAPER, CANTILEVER):
         for elements in (20, 40, 80):
             yield Asked(ELASTICA, problem, elements, "centred")
-        yield Asked(ELASTICA, problem, 40, "centred", start="answer")
-        yield Asked(ELASTICA, problem, 40, "as documented")
         for elements in (10, 20, 40):
             yield Asked(MUJOCO, problem, elements, "centred")
-        yield Asked(MUJOCO, problem, 20, "centred", start="answer")
-        yield Asked(MUJOCO, problem, 20, "as documented")
+    for peer, elements in ((ELASTICA, 40), (MUJOCO, 20)):
+        yield Asked(peer, PAPER, elements, "centred", start="answer")
+        yield Asked(peer, PAPER, elements, "as documented")
