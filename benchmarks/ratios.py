@@ -7,7 +7,7 @@ from benchmarks import stored
 from benchmarks.cases import TABLE_1
 from benchmarks.markdown import dash, milliseconds, outcome, table
 from benchmarks.measure import Race, Work
-from benchmarks.peers.asked import DYNAMIC, MODULES, PAPER, SEED, SOLVE_BVP, STATIC
+from benchmarks.peers.asked import DYNAMIC, GIVEN, MODULES, OWN, PAPER, SEED, SOLVE_BVP, STATIC
 from benchmarks.peers.parent import OURS, Peer
 from benchmarks.scaling import Drag, Scaling
 
@@ -48,12 +48,15 @@ def asked_and_measured() -> list[tuple[str, str, str]]:
 def _peers(rows):
     if not rows:
         return
-    factors = [against(rows, quickest(rows, name, SOLVE_BVP, ERROR)) for name in NAMES]
-    yield (
-        f"SciPy's `solve_bvp` at {ERROR:.0e}, cold, over ours, each length of Table 1",
-        "10 where it converges, at least 4",
-        ", ".join(dash(f, ".1f") for f in factors),
-    )
+    for variant, start in ((OWN, "ours"), (OWN, "cold"), (GIVEN, "ours"), (GIVEN, "cold")):
+        own = [r for r in rows if r.variant == variant or r.peer == OURS]
+        factors = [against(rows, quickest(own, name, SOLVE_BVP, ERROR, start)) for name in NAMES]
+        where = "the start that it likes best" if start == "cold" else "our own start"
+        yield (
+            f"SciPy's `solve_bvp` at {ERROR:.0e}, {variant}, from {where}, over ours, each length of Table 1",
+            "10 where it converges, at least 4",
+            ", ".join(dash(f, ".1f") for f in factors),
+        )
     factors = [against(rows, quickest(rows, name, SEED, ERROR)) for name in NAMES]
     literal = [r for r in rows if r.peer == SEED and r.variant == "three points"]
     errors = [r.error for r in literal if r.problem == PAPER and r.error is not None]
@@ -148,7 +151,7 @@ def peers_section():
                 r.problem,
                 f"{r.peer} {r.version}",
                 r.start,
-                r.variant or f"tolerance {r.tolerance:.0e}",
+                r.variant + (f", tolerance {r.tolerance:.0e}" if r.tolerance else ""),
                 r.elements,
                 r.steps if r.steps > 1 else "–",
                 dash(r.unknowns),

@@ -55,11 +55,26 @@ class Asked:
         return replace(scene, rod=replace(scene.rod, **found))
 
 
+GIVEN, OWN = "derivatives given", "own differences"
+BOUNDARY_VALUE = (
+    (GIVEN, "cold", 4, 1e-1),
+    (GIVEN, "cold", 16, 1e-1),
+    (GIVEN, "cold", 16, 1e-3),
+    (GIVEN, "cold", 16, 1e-5),
+    (OWN, "cold", 4, 1e-1),
+    (OWN, "cold", 16, 1e-1),
+    (OWN, "cold", 16, 1e-3),
+    (GIVEN, "ours", 16, 1e-1),
+    (OWN, "ours", 16, 1e-1),
+    (GIVEN, "answer", 16, 1e-3),
+)
+"""Variants, starts, elements (a fourth of those of the start) and tolerances of ``solve_bvp``."""
+
+
 def asked() -> Iterator[Asked]:
     for problem in ALL:
-        for start in ("cold", "answer"):
-            for tolerance in (1e-1, 1e-2, 1e-3, 1e-5):
-                yield Asked(SOLVE_BVP, problem, 16, start=start, tolerance=tolerance)
+        for variant, start, elements, tolerance in BOUNDARY_VALUE:
+            yield Asked(SOLVE_BVP, problem, elements, variant, start, tolerance=tolerance)
         for elements in (25, 50, 100, 200, 400):
             yield Asked(SEED, problem, elements, "two points")
     for problem in (PAPER, CANTILEVER):

@@ -41,7 +41,7 @@ class Peer:
     peer: str
     version: str
     start: str
-    """cold: from a smooth curve of the right length; answer: from ours"""
+    """cold: from a smooth curve of the right length; ours: from where we start ourselves; answer: from our answer"""
     variant: str
     steps: int
     elements: int
@@ -108,7 +108,7 @@ def ask(one: Asked, scene: Scene, exact: Exact, patience=PATIENCE) -> Peer:
     folder, version = installed(one.package)
     if folder is None:
         return replace(row, status="not installed")
-    row = replace(row, version=version)
+    row = replace(row, version=f"CasADi {version}" if one.package == "casadi" else version)
     with tempfile.TemporaryDirectory() as place:
         task, found = Path(place) / "task.json", Path(place) / "found.json"
         write(task, _task(one, scene))
@@ -191,8 +191,8 @@ def _start(one, scene):
         found = find_equilibrium(replace(scene, options=options)).raise_for_status()
         return Nodes(found.arc_length, found.position, found.quaternion, found.force, found.moment)
     s, problem = np.linspace(0, 1, elements + 1), Problem.of(scene, reduce(scene))
-    # Not the chain that we start a heavy cable from: it has kinks at the clamps, which no peer likes.
-    shape = guess(scene, problem.scaling, s, chain=False)
+    # By default not the chain that we start a heavy cable from: it has kinks at the clamps, which most peers dislike.
+    shape = guess(scene, problem.scaling, s, chain=None if one.start == "ours" else False)
     scaling = problem.scaling
     position = scaling.origin + shape.position * scaling.length
     return Nodes(s * scaling.length, position, shape.quaternion)

@@ -25,7 +25,7 @@ def test_every_peer_is_asked_both_problems_cold_and_none_twice():
 @pytest.mark.parametrize(
     ("peer", "variant", "elements", "tolerance", "error"),
     [
-        (SOLVE_BVP, "", 16, 1e-3, 1e-4),
+        (SOLVE_BVP, "derivatives given", 16, 1e-3, 1e-4),
         # Order 2: 2e-3 L with 25 elements, so a quarter of it four times with 100.
         (SEED, "two points", 100, 0.0, 2e-4),
     ],
