@@ -97,7 +97,8 @@ class Panel(QtCore.QObject):
     # FreeCAD calls.
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok) | int(QtGui.QDialogButtonBox.Cancel)
+        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
+        return int(getattr(buttons, "value", buttons))  # Qt 6, Qt 5
 
     def accept(self):
         self.leave()
