@@ -5,7 +5,7 @@ import numpy as np
 
 from ..geometry.runs import runs
 from ..geometry.self_contact import self_penetrations
-from ..problem import Free
+from ..problem import Free, Tube
 from ..result import (
     Balance,
     Contact,
@@ -39,6 +39,7 @@ def solution(problem, trial) -> Solution:
     pushes = trial.pushes * scaling.force
     check = _balance(rod, scene.weight, scaling, shape, pushes)
     nodes = tuple(joint.node for joint in shape.joints)
+    contacts = _contacts(problem, trial) if trial.touches else ()
     violation = max(
         end_violation(scene, position, shape.quaternion),
         support_violation(scene, nodes, arc_length, position, shape.quaternion),
@@ -76,7 +77,7 @@ def solution(problem, trial) -> Solution:
             for part in shape.parts()
         ),
         formed=_formed(problem, trial) if trial.nlp.structure.bend_limit else (),
-        contacts=_contacts(problem, trial) if trial.touches else (),
+        contacts=contacts,
         min_clearance=_clearance(problem, shape),
         stable=trial.stable,
         position_error=trial.error * length,
@@ -84,6 +85,7 @@ def solution(problem, trial) -> Solution:
         left_out=(
             *model.left_out,
             *_obstacles_left_out(problem, trial),
+            *_pushes_left_out(scene, contacts),
             *_idle_supports(scene, shape),
         ),
         kept=(*model.kept, *(["obstacles"] if trial.touches else [])),
@@ -188,6 +190,17 @@ def _obstacles_left_out(problem, trial):
         )
     if near and not trial.touches:
         yield "obstacles in reach: the cable keeps clear of them by itself (exact)"
+
+
+def _pushes_left_out(scene, contacts):
+    """What the cable exerts on other cables: they stay where they were."""
+    for index in sorted({c.obstacle for c in contacts if c.obstacle is not None}):
+        if isinstance(scene.obstacles[index], Tube):
+            force = max(np.linalg.norm(c.force) for c in contacts if c.obstacle == index)
+            yield (
+                f"{scene.obstacles[index].place}: a cable, which is taken as rigid: pushed with up to {force:.2g} N "
+                "at a place, and that does not move it"
+            )
 
 
 IDLE = 1e-6

@@ -9,7 +9,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
-from freecad_cable.problem import Box, Clamped, Cylinder, HalfSpace, Mesh, Sphere
+from freecad_cable.problem import Box, Clamped, Cylinder, HalfSpace, Mesh, Sphere, Tube
 
 FLOOR = HalfSpace([0, 0, -0.05], [0, 0, 1])
 ACROSS = Cylinder([-0.3, -0.24, -0.12], [0.4, -0.24, -0.12], 0.05)
@@ -201,3 +201,16 @@ def test_the_estimate_is_no_less_than_the_error(solve, name):
     error = np.linalg.norm(exact - coarse.position, axis=1).max()
     assert error <= coarse.position_error + best.position_error
     assert best.position_error < coarse.position_error / 2
+
+
+def test_another_cable_is_not_moved_and_that_is_said(solve):
+    """A tube where the straight bar is: the same answer, and what the other cable would feel."""
+    bar = CASES["long bar"]
+    other = Tube([bar.start, bar.end], bar.radius, place="obstacles[0]")
+    solution, as_a_bar = solve(other), solve(bar)
+    # Each within its own tolerance of the same answer.
+    assert solution.energy.total == pytest.approx(as_a_bar.energy.total, rel=1e-5)
+    (contact,) = solution.contacts
+    (said,) = (each for each in solution.left_out if each.startswith("obstacles[0]"))
+    assert f"up to {np.linalg.norm(contact.force):.2g} N" in said
+    assert not any("taken as rigid: pushed" in each for each in as_a_bar.left_out)
