@@ -72,7 +72,7 @@ def solution(problem, trial) -> Solution:
             smallest_bend_radius(
                 part.arc_length * length,
                 part.strain[:, :3] / length,
-                kinked=trial.touches or trial.nlp.structure.bend_limit,
+                kinked=trial.nlp.structure.bend_limit,
             )
             for part in shape.parts()
         ),

@@ -14,8 +14,8 @@ def smallest_bend_radius(arc_length, curvature, kinked=False):
     """(radius [m], arc length [m]) of the tightest place; (inf, start) for a straight cable.
 
     arc_length (n+1,), curvature (n+1, 3) in the material frame, of which κ1 and κ2 bend. Between the nodes
-    they follow a cubic spline; ``kinked``, where the curvature is bounded or something touches the cable, straight
-    lines, for beside a kink a spline overshoots.
+    they follow a cubic spline; ``kinked``, where the curvature is bounded, straight lines, for beside a kink a
+    spline overshoots.
     """
     if kinked:
         bend = np.linalg.norm(curvature[:, :2], axis=1)

@@ -23,9 +23,12 @@ PASSES = 12
 """Lookups of features after which an attempt ends."""
 SETTLED = 1e-3
 """Change of a gap, in radii of the cable, below which a feature has been looked up often enough."""
-OWN_SETTLED = 1e-5
-"""The same where the cable touches itself: two parts side by side are a hinge that turns by a small gap over a short
-length. The solvers leave 1e-6."""
+WELL_SETTLED = 1e-5
+"""The same from which no more lookups are tried: a gap tells of a cable that slides along a round edge by the square of
+how far. The solvers leave 1e-6."""
+MORE = 4
+"""Lookups beyond those that are enough. Where the cable touches itself all are made: two parts side by side are a hinge
+that turns by a small gap over a short length."""
 CHANCE = 3.0
 """By how much more than first order the error of a mesh is taken to be, from the changes before it."""
 FAINT = 0.01
@@ -146,7 +149,9 @@ def _gathered(problem, found):
             finer = _settled(problem, start, BESIDE, fallback=True)
             if finer is None:
                 return found
-            moved = finer.shape.position - found.shape.on(finer.shape.arc_length).position
+            # As one piece: supports that slide are elsewhere on the one than on the other.
+            before_it = replace(found.shape, joints=()).on(finer.shape.arc_length)
+            moved = finer.shape.position - before_it.position
             change = float(np.linalg.norm(moved, axis=1).max())
             if change > LOST and found.measured < LOST:
                 return found  # the finer one has left for another equilibrium
@@ -199,7 +204,7 @@ def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
     are given features; ``leaving``: whether they are to leave what they are in, and which way the cable leaves itself;
     ``fallback``: whether it is worth asking the slower solver too."""
     around_it = problem.surroundings
-    settled = SETTLED * around_it.radius
+    settled, near, more = SETTLED * around_it.radius, None, MORE
     for turn in range(PASSES):
         way = leaving if turn == 0 else 0
         found = around_it.features(shape, reach, bool(way))
@@ -207,19 +212,20 @@ def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
         links = problem.own.links(shape, reach, way) if problem.apart else None
         trial = problem.solve(shape, features=features, links=links, fallback=fallback)
         if trial is None:
-            return None
+            return near
         trial = replace(trial, owners=owners)
         which, gap = around_it.gaps(trial.shape, 2 * around_it.keep)
-        if (
-            gap.min(initial=np.inf) > -settled
-            and _staleness(trial, around_it, which, gap) < settled
-            and (
-                not problem.apart or _own_staleness(problem, trial) < OWN_SETTLED * around_it.radius
-            )
-        ):
-            return trial
+        stale = _staleness(trial, around_it, which, gap)
+        if gap.min(initial=np.inf) > -settled and stale < settled:
+            own = _own_staleness(problem, trial) if problem.apart else 0.0
+            if max(stale, own) < WELL_SETTLED * around_it.radius:
+                return trial
+            if not problem.apart:
+                near, more = trial, more - 1
+                if not more:
+                    return near
         shape = trial.shape
-    return None
+    return near
 
 
 def _own_staleness(problem, trial) -> float:

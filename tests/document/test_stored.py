@@ -20,7 +20,10 @@ DATA = Path(__file__).parents[1] / "data"
 KINDS = ["Cable", "CableType", "Centreline", "Clamp", "Clip", "Ring", "Route", "Sleeve", "Terminal"]
 
 SAME = 1e-4
-"""Relative: the error that is asked for, of positions; radius and forces were seen ten times nearer."""
+"""Relative: the error that is asked for, of positions."""
+FORCES = 1e-3
+"""Relative: a contact is as well placed as the nodes beside it lie close, 2e-4 of the length at this tolerance, and the
+force at an end changes by about twice as much (seen: 4.6e-4; at a tolerance of 3e-6 5e-5)."""
 
 
 class StoredTest(DocumentTest):
@@ -66,7 +69,7 @@ class StoredTest(DocumentTest):
                 obj.touch()
             self.compute()
             self.assertAlmostEqual(cable.SmallestBendRadius.Value / radius, 1, delta=SAME)
-            self.assertNear(cable.EndForce, force, SAME * force.Length)
+            self.assertNear(cable.EndForce, force, FORCES * force.Length)
             cable.Length = "350 mm"
             self.compute()
             self.assertEqual((cable.SolvedLength.Value, cable.CutLength.Value), (350, 360))

@@ -9,7 +9,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
-from freecad_cable.problem import Box, Clamped, Cylinder, HalfSpace, Mesh, Sphere, Tube
+from freecad_cable.problem import Box, Clamped, Cylinder, HalfSpace, Mesh, Sleeve, Sphere, Tube
 
 FLOOR = HalfSpace([0, 0, -0.05], [0, 0, 1])
 ACROSS = Cylinder([-0.3, -0.24, -0.12], [0.4, -0.24, -0.12], 0.05)
@@ -214,3 +214,13 @@ def test_another_cable_is_not_moved_and_that_is_said(solve):
     (said,) = (each for each in solution.left_out if each.startswith("obstacles[0]"))
     assert f"up to {np.linalg.norm(contact.force):.2g} N" in said
     assert not any("taken as rigid: pushed" in each for each in as_a_bar.left_out)
+
+
+@pytest.mark.parametrize("lift", [0.005, -0.01])
+def test_a_cable_that_slides_and_touches(table_1, lift):
+    """Where it slides, supports are at other arc lengths from mesh to mesh; that is no change of the shape."""
+    free = find_equilibrium(table_1(0.73))
+    place, tangent = free.position[20] + [0, 0, lift], rotation.tangent(free.quaternion[20])
+    ball = Sphere([0.02, -0.2, -0.04], 0.05)
+    scene = replace(table_1(0.73), supports=(Sleeve(place, tangent),), obstacles=(ball,))
+    assert find_equilibrium(scene).raise_for_status().contacts
