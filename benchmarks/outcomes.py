@@ -3,7 +3,10 @@
 
 import time
 from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from queue import Queue
 
 from benchmarks.cases import TABLE_1
 from benchmarks.exact import ANOTHER, Branch
@@ -17,6 +20,8 @@ TIME_LIMIT = 10.0
 """[s] of one solve, its building included"""
 PATIENCE = 1.5 * TIME_LIMIT
 """[s] after which its process is ended"""
+SIDE_BY_SIDE = 2
+"""Scenes solved at a time: how they end is asked here, and their times are only for orientation"""
 TRUTH_PATIENCE = 3.0
 """[s] for the strong form; where it takes longer, layers or many turns, it mostly fails in the end"""
 
@@ -44,17 +49,27 @@ class Outcome:
 
 
 def outcomes(scenes: Iterable[Extreme], every: int) -> Iterator[Outcome]:
-    """A row for each; the true error of one in ``every``."""
+    """A row for each, in order; the true error of one in ``every``."""
     limited = SolveOptions(time_limit=TIME_LIMIT)
     first = (TABLE_1[0].scene,)
-    with (
-        Guarded(find_equilibrium, PATIENCE, first) as solve,
-        Guarded(true_error, TRUTH_PATIENCE, (find_equilibrium(*first),)) as truth,
-    ):
-        for count, extreme in enumerate(scenes):
+    known, idle = (find_equilibrium(*first),), Queue()
+
+    def one(numbered):
+        count, extreme = numbered
+        extreme = replace(extreme, scene=replace(extreme.scene, options=limited))
+        solve, truth = idle.get()
+        try:
             solve.ready()
-            extreme = replace(extreme, scene=replace(extreme.scene, options=limited))
-            yield outcome(extreme, solve, None if count % every else truth)
+            return outcome(extreme, solve, None if count % every else truth)
+        finally:
+            idle.put((solve, truth))
+
+    with ExitStack() as stack, ThreadPoolExecutor(SIDE_BY_SIDE) as threads:
+        for _ in range(SIDE_BY_SIDE):
+            solve = stack.enter_context(Guarded(find_equilibrium, PATIENCE, first))
+            truth = stack.enter_context(Guarded(true_error, TRUTH_PATIENCE, known))
+            idle.put((solve, truth))
+        yield from threads.map(one, enumerate(scenes))
 
 
 def outcome(extreme: Extreme, solve=find_equilibrium, truth=None) -> Outcome:

@@ -20,8 +20,9 @@ def section():
     yield "## Extreme scenes\n\n![how extreme scenes end, by family](extreme.png)"
     yield (
         f"{len(rows)} scenes: {ends(rows)}; {len(bad)} are neither a verified equilibrium to the tolerance of 1e-04 "
-        "nor a named infeasibility. Each is solved once, in a process that is ended if it does not come back; the time "
-        f"limit is {TIME_LIMIT:g} s with the building of solvers. `benchmarks/extreme.py` says what the families are."
+        "nor a named infeasibility. Each is solved once, two at a time, in processes that are ended if they do not "
+        f"come back; the time limit is {TIME_LIMIT:g} s with the building of solvers. `benchmarks/extreme.py` says "
+        "what the families are."
     )
     heads = (
         "family",

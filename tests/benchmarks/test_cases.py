@@ -120,3 +120,12 @@ def test_the_exact_shape_of_a_rod_that_stretches_and_shears_is_read_between_its_
     assert branch.uncertainty == exact.uncertainty <= 1e-10
     slope = branch.position.derivative()(branch.state.arc_length)
     assert np.ptp(np.linalg.norm(slope, axis=1)) > 1e-4  # it does stretch
+
+
+def test_extreme_scenes_side_by_side_keep_their_order(monkeypatch):
+    monkeypatch.setattr(outcomes, "TRUTH_PATIENCE", 60.0)  # this machine may be busy
+    wanted = [e for e in families() if (e.family, e.row) == ("metres", "0")][:3]
+    rows = list(outcomes.outcomes(wanted, every=2))
+    assert [row.column for row in rows] == [extreme.column for extreme in wanted]
+    assert [row.status for row in rows] == ["CONVERGED"] * 3
+    assert [row.error is None for row in rows] == [False, True, False]
