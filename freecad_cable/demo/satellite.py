@@ -8,7 +8,7 @@ from pathlib import Path
 import Import
 from FreeCAD import Placement, Rotation, Vector
 
-from ..document import make
+from ..document import make, solving
 from ..errors import DocumentError
 from .circles import Circles
 from .plug import plugged
@@ -61,6 +61,7 @@ def build(document):
         )
         cable.Label = name
         document.recompute()
+        solving.wait(document)
         cable.LengthMode, cable.Length = "Fixed", _cut(cable)
         cable.Obstacles = _obstacles(satellite)
         cable.Clearance = 0 if run.lies_on else CLEARANCE

@@ -27,6 +27,7 @@ class Panel(QtCore.QObject):
     """
 
     icon_name = ""
+    _last = None
 
     def __init__(self, obj):
         super().__init__()
@@ -237,6 +238,9 @@ class Panel(QtCore.QObject):
                 FreeCADGui.doCommand(line)
 
     def _release(self):
+        # FreeCAD lets go of ``form`` and deletes its widgets. Were nobody else to hold it, Python would delete them
+        # first, and Qt 6 crash over that.
+        Panel._last = self, self.form
         self._tick.stop()
         self._soon.stop()
         FreeCAD.removeDocumentObserver(self)
