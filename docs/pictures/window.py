@@ -39,7 +39,7 @@ def picture():
     wait()
     view = FreeCADGui.activeView()
     view.setCameraOrientation(AROUND * TILT)
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    FreeCADGui.activeView().fitAll()
     FreeCADGui.runCommand("Std_ViewZoomIn")
     FreeCADGui.Selection.addSelection(document.getObjectsByLabel(CABLE)[0])
     wait()

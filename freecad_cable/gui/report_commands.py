@@ -62,7 +62,7 @@ class ExampleCommand(Command):
             "from freecad_cable.demo import example",
             "example.make_document()",
             "Gui.activeDocument().activeView().viewIsometric()",
-            'Gui.SendMsgToActiveView("ViewFit")',
+            "Gui.activeDocument().activeView().fitAll()",
         ]
 
     def IsActive(self):

@@ -39,7 +39,7 @@ class ReportCommandTest(WindowTest):
 
     def test_beside_the_file_with_a_picture_of_the_window(self):
         self.make_cable()
-        FreeCADGui.SendMsgToActiveView("ViewFit")
+        FreeCADGui.activeView().fitAll()
         self.document.saveAs(os.path.join(self.folder, "unit 7.FCStd"))
         self.run_report()
         page = Path(self.folder) / "unit-7-cables.html"
