@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench. FreeCAD imports this file at every start, so it brings in nothing heavy."""
 
+import os
+
 import FreeCADGui
 
 from ..document import view_hook
@@ -29,6 +31,8 @@ class CableWorkbench(FreeCADGui.Workbench):
         from .commands import COMMANDS
         from .preferences import PAGE
 
+        FreeCADGui.addLanguagePath(os.path.abspath(os.path.join(FOLDER, "..", "translations")))
+        FreeCADGui.updateLocale()
         FreeCADGui.addIconPath(FOLDER)
         FreeCADGui.addPreferencePage(PAGE, "Cable")
         for name, command in COMMANDS.items():

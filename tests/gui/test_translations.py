@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whatever a person reads in the window stands in German and in Chinese, and FreeCAD finds it."""
+
+import re
+import runpy
+import string
+import unittest
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
+
+UPDATE = runpy.run_path(str(FOLDER / "update.py"))
+
+CHINESE = re.compile("[\u4e00-\u9fff]")
+
+
+def fields(text):
+    """What stands in braces and is filled in."""
+    return sorted(name for _, name, _, _ in string.Formatter().parse(text) if name)
+
+
+class TranslationTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        FreeCADGui.activateWorkbench("CableWorkbench")
+        cls.strings = UPDATE["source_strings"]()
+
+    def test_what_is_read_is_found(self):
+        contexts = {context for context, _ in self.strings}
+        expected = {"App::Property", "Cable", "CablePreferences", "Cable_Report", "Workbench"}
+        self.assertLessEqual(expected, contexts)
+        self.assertIn(("App::Property", "Bending stiffness EI"), self.strings)
+        self.assertIn(("Cable", "Solve Now"), self.strings)
+        self.assertIn(("CablePreferences", "Terminals hold"), self.strings)
+
+    def test_everything_is_translated_and_nothing_else(self):
+        for language in UPDATE["LANGUAGES"]:
+            known = UPDATE["translations"](FOLDER / f"Cable_{language}.ts")
+            missing = sorted(set(self.strings) - set(known))
+            self.assertEqual(missing, [], f"{language}: ./run translations lists them")
+            self.assertEqual(sorted(set(known) - set(self.strings)), [], language)
+            for (_, text), translation in known.items():
+                self.assertEqual(fields(text), fields(translation), translation)
+                if language == "zh-CN":
+                    self.assertRegex(translation, CHINESE)
+
+    def test_freecad_gets_what_the_table_says(self):
+        for language in UPDATE["LANGUAGES"]:
+            path = FOLDER / f"Cable_{language}.ts"
+            translator = QtCore.QTranslator()
+            self.assertTrue(translator.load(str(path.with_suffix(".qm"))))
+            for (context, text), translation in UPDATE["translations"](path).items():
+                self.assertEqual(translator.translate(context, text), translation)
+
+    def test_the_window_speaks_it(self):
+        for language, expected in (
+            ("German", ("Jetzt lösen", "Bericht")),
+            ("Chinese Simplified", ("立即求解", "报告")),
+            ("English", ("Solve Now", "Report")),
+        ):
+            FreeCADGui.setLocale(language)
+            QtGui.QApplication.processEvents()
+            said = FreeCAD.Qt.translate("Cable", "Solve Now")
+            title = FreeCADGui.Command.get("Cable_Report").getAction()[0].text()
+            self.assertEqual((said, title.replace("&", "")), expected)
