@@ -41,8 +41,8 @@ def rod(weight=0.0, length=1.0, bending=1.0, **section) -> Rod:
     """``weight``: w L³/EI; ``length`` [m]; ``bending`` (EI) [N m²]."""
     usual = {"bending_stiffness": bending, "torsional_stiffness": 0.8 * bending}
     mass = weight * bending / length**3 / GRAVITY
-    radius = min(1e-3, 1e-3 * length)
-    return Rod(length=length, radius=radius, mass_per_length=mass, **(usual | section))
+    # So thin that a bend as sharp as mechanics makes it never runs through itself.
+    return Rod(length=length, radius=1e-9 * length, mass_per_length=mass, **(usual | section))
 
 
 def clamped(tangent, place, turn=0.0, position=(0, 0, 0)) -> Clamped:

@@ -131,8 +131,9 @@ class Kept:
             varied.obj.setDatum(varied.names[1], self.value)
         for path, text in self.expressions:
             varied.obj.setExpression(path, text)
-        # The last first: a shape takes its placement along, and was changed after it.
-        for (document, name, prop), value in reversed(self.before.items()):
+        # The last first: a shape takes its placement along, and was changed after it. And once more: what sits on a
+        # part goes back to it as long as the part has not gone back itself.
+        for (document, name, prop), value in [*reversed(self.before.items())] * 2:
             obj = FreeCAD.getDocument(document).getObject(name)
             if obj is not None and obj.TypeId != "Spreadsheet::Sheet":
                 with suppress(AttributeError, RuntimeError, TypeError, ValueError):

@@ -22,9 +22,6 @@ NO_SLACK = 1e-7
 """Slack, relative to the length, below which an inextensible cable has no finite tension that a
 computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 
-HEAVIEST = 5e6
-"""Weight ratio above which no case was ever solved; a wrong unit is likelier than such a cable."""
-
 ONE_AT_A_TIME = threading.RLock()
 """CasADi's functions are not safe in threads (two that solved at once crashed Python), so of those of one process one
 solves; to use more of a machine takes processes."""
@@ -35,36 +32,43 @@ INSTALL = f"python{sys.version_info.major}.{sys.version_info.minor} -m pip insta
 
 
 def find_equilibrium(
-    scene: Scene, *, start: Solution | None = None, watch: Callable[[str], None] | None = None
+    scene: Scene,
+    *,
+    start: Solution | None = None,
+    watch: Callable[[str], None] | None = None,
+    apart: bool = True,
 ) -> Solution:
     """The stable equilibrium of a scene, to the tolerance of its options.
 
     ``start``, the solution of a scene that differs little, keeps the branch that the cable is on and is quicker;
     one that differs much is ignored. Where the scene asks for its length, that is found too.
     ``watch`` is called before each run of a solver, with what is about to be done; what it raises ends the search
-    (``StoppedError`` is there for that).
+    (``StoppedError`` is there for that). ``apart``: whether a cable that would run through itself is brought apart from
+    itself, which takes a hundred times longer; if not, that is its status.
     Not finding one is an outcome: see ``Solution.status``. Errors: ``SolverMissingError`` without CasADi. May be called
     from several threads, which wait for each other.
     """
     with ONE_AT_A_TIME:
-        return _found(scene, start, watch)
+        return _found(scene, start, watch, apart)
 
 
-def _found(scene, start, watch):
-    solve = find_equilibrium if watch is None else partial(find_equilibrium, watch=watch)
+def _found(scene, start, watch, apart):
+    solve = partial(find_equilibrium, watch=watch, apart=apart)
     if scene.asks_length:
-        return shortest(scene, solve)
+        # A length at which a cable loops through itself is none to design.
+        return shortest(scene, partial(solve, apart=False))
     if stretches.cuts(scene):
         found = stretches.solved(scene, solve, start)
         if not stretches.touch(found):
             return found
-    return _in_one_piece(scene, start, watch)
+    return _in_one_piece(scene, start, watch, apart)
 
 
-def _in_one_piece(scene, start, watch):
+def _in_one_piece(scene, start, watch, apart):
     problem = _problem(scene, watch)
     if isinstance(problem, Solution):
         return problem
+    problem.parts = apart
     from ..solve.effects import find
     from ..solve.trial import TimeUpError
 
@@ -115,13 +119,6 @@ def _problem(scene, watch=None):
             f"Install it with: {INSTALL} casadi"
         ) from error
     problem = Problem.of(scene, model, watch)
-    if problem.scaling.weight_ratio > HEAVIEST:
-        message = (
-            f"{Status.NOT_CONVERGED.value} Its weight against its bending stiffness, w L³/EI, is "
-            f"{problem.scaling.weight_ratio:.0e}, and {HEAVIEST:.0e} is the most that this version can solve: check "
-            "mass, stiffness and length for a wrong unit."
-        )
-        return Solution(scene=scene, status=Status.NOT_CONVERGED, message=message)
     return problem
 
 

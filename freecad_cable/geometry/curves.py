@@ -92,27 +92,12 @@ def catenary(start, end, length, gravity) -> Curve:
     shorter than the chord.
     """
     start, end, gravity = (np.asarray(value, float) for value in (start, end, gravity))
-    magnitude = np.linalg.norm(gravity)
-    if not magnitude > 0:
+    if not gravity.any():
         raise ProblemError("gravity", "is zero; a catenary needs a direction to hang in")
     if _is_straight(start, end, length):
         return _straight(start, end, length)
-    up = -gravity / magnitude
-    span = end - start
-    rise = float(span @ up)
-    across = span - rise * up
-    # A horizontal distance of a millionth of the length stands for none, so that the fold at the
-    # bottom keeps a tangent everywhere.
-    distance = float(np.linalg.norm(across))
-    if distance < 1e-6 * length:
-        distance, across = 1e-6 * length, guess.perpendicular(up)
-    across = across / np.linalg.norm(across)
-    chord = np.linalg.norm(span)
-    excess = (length - chord) * (length + chord)
-    half = _sinh_ratio(excess / distance**2)
-    c = distance / (2 * half)
-    middle = math.asinh(rise / math.sqrt(excess + distance**2))
-    first, last = c * math.sinh(middle - half), c * math.sinh(middle + half)
+    chain = Chain(end - start, length, gravity)
+    c, first, last = chain.size, chain.first, chain.last
     even = np.linspace(first, last, 301)
     turning = c * np.tan(np.linspace(math.atan(first / c), math.atan(last / c), 301)[1:-1])
     s = np.unique(np.concatenate((even, turning)))
@@ -120,11 +105,38 @@ def catenary(start, end, length, gravity) -> Curve:
     s[-1] = last
     x = c * (np.arcsinh(s / c) - math.asinh(first / c))
     y = (s - first) * (s + first) / (np.hypot(c, s) + math.hypot(c, first))
-    position = start + x[:, None] * across + y[:, None] * up
-    tangent = (across + (s / c)[:, None] * up) / np.hypot(1, s / c)[:, None]
+    position = start + x[:, None] * chain.across + y[:, None] * chain.up
     arc_length = (s - first) * (length / (last - first))
     position += (arc_length / length)[:, None] * (end - position[-1])
-    return Curve(arc_length, position, tangent)
+    return Curve(arc_length, position, chain.tangent(s))
+
+
+class Chain:
+    """Where a catenary hangs: ``size`` c, and arc lengths ``first`` and ``last`` of its ends from its lowest point."""
+
+    def __init__(self, span, length, gravity):
+        """``span`` (3,) from its start to its end, shorter than ``length``."""
+        self.up = -gravity / np.linalg.norm(gravity)
+        rise = float(span @ self.up)
+        across = span - rise * self.up
+        # A horizontal distance of a millionth of the length stands for none, so that the fold at the
+        # bottom keeps a tangent everywhere.
+        distance = float(np.linalg.norm(across))
+        if distance < 1e-6 * length:
+            distance, across = 1e-6 * length, guess.perpendicular(self.up)
+        self.across = across / np.linalg.norm(across)
+        chord = np.linalg.norm(span)
+        excess = (length - chord) * (length + chord)
+        half = _sinh_ratio(excess / distance**2)
+        self.size = distance / (2 * half)
+        middle = math.asinh(rise / math.sqrt(excess + distance**2))
+        self.first = self.size * math.sinh(middle - half)
+        self.last = self.size * math.sinh(middle + half)
+
+    def tangent(self, s):
+        """Unit tangents (..., 3) at arc lengths (...) from the lowest point."""
+        slope = np.asarray(s)[..., None] / self.size
+        return (self.across + slope * self.up) / np.hypot(1, slope)
 
 
 def spline(points, start_tangent=None, end_tangent=None) -> Curve:

@@ -4,6 +4,8 @@
 The only file that spells a solver's options or return strings.
 """
 
+import contextlib
+import io
 import time
 from dataclasses import dataclass
 from functools import lru_cache
@@ -13,6 +15,7 @@ import numpy as np
 
 from ..transcription.nlp import Nlp, build
 from ..transcription.structure import Structure
+from .yielding import RUNAWAY, YieldingProgram, derivatives
 
 TOLERANCE = 1e-9
 """On the scaled optimality conditions. Far below the discretisation error of any mesh used here (1e-8 at
@@ -28,17 +31,19 @@ NEARBY = {"mu_init": 1e-6, "bound_push": 1e-4}
 """Where obstacles are near: first barrier parameter, and how far from a bound the start is moved. The defaults of 0.1
 and 0.01 push a cable away from all obstacles as hard as it resists bending, and lose the start."""
 
-WITHOUT_HANGING = {
+STEADY = {
     "linsol_lu_fact_tol": 1e-4,
     "linsol_increased_accuracy": False,
     "watchdog_shortened_iter_trigger": 0,
 }
-"""fatrop 1.1.8 corrects a matrix that is not positive definite without a limit. Its defaults brought it there in two
-ways, and no time limit ends that: a condition of a support eliminated by one strain, on which it hardly depends (the
-pivot is about h²; below 1e-4 it is left to the element before), and trial steps of the watchdog to nodes at 1e40."""
+"""fatrop 1.1.8 corrects a matrix that is not positive definite without a limit, and no time limit ends that. Its
+defaults brought it there with sliding supports, whose equations it satisfies by strains on which they hardly depend,
+and by trial steps of its watchdog to nodes at 1e40. For the rest see ``yielding``."""
 
-RUNAWAY = 1e6
-"""Positions in lengths, or strains per length, that no cable has."""
+EXACT = 2e-9
+"""Yield of what holds the cable, relative to the length, above which fatrop is asked once more."""
+CORRECTIONS = 5
+"""Times that it is asked once more; each leaves a small share of the yield."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +75,8 @@ def built(structure: Structure, name: str, near: bool = False):
         "show_eval_warnings": False,
     }
     if name == "fatrop":
-        nx, nu, ng = (list(column) for column in zip(*nlp.stage_sizes, strict=True))
+        form = yielding(structure)
+        nx, nu, ng = form.stage_sizes
         options |= {
             "structure_detection": "manual",
             "N": structure.elements,
@@ -82,47 +88,33 @@ def built(structure: Structure, name: str, near: bool = False):
                 "print_level": 0,
                 "tol": TOLERANCE,
                 "max_iter": ITERATIONS,
-                **WITHOUT_HANGING,
+                **STEADY,
                 **(NEARBY if structure.contacts else {}),
                 **(NEAR if near else {}),
             },
         }
-    else:
-        options["ipopt"] = {
-            "print_level": 0,
-            "sb": "yes",
-            "tol": TOLERANCE,
-            "max_iter": ITERATIONS,
-            **({"mu_init": NEARBY["mu_init"]} if structure.links else {}),
-        }
-    options["cache"] = _derivatives(nlp, name)
-    program = {"x": nlp.x, "g": nlp.g, "f": nlp.f, "p": nlp.p}
-    return ca.nlpsol(f"rod_{name}", name, program, options)
-
-
-def _derivatives(nlp: Nlp, name: str) -> dict:
-    """Our derivatives in place of those that CasADi would make, under the names and in the form that the
-    plug-ins ask for."""
-    inputs, names = [nlp.x, nlp.p, *nlp.multipliers], ["x", "p", "lam_f", "lam_g"]
-    slope = {"grad_f_x": nlp.gradient}
-    if name == "ipopt":
-        bent = {"triu_hess_gamma_x_x": ca.triu(nlp.hessian)}
-        slope = {"f": nlp.f} | slope
-    else:
-        # The plug-in's form has a gradient, which it never reads.
-        bent = {"grad_gamma_x": ca.MX(nlp.x.numel(), 1), "hess_gamma_x_x": nlp.hessian}
-    rows = {"g": nlp.g, "jac_g_x": nlp.jacobian}
-
-    def function(title, count, outputs):
-        return ca.Function(
-            title, inputs[:count], list(outputs.values()), names[:count], list(outputs)
-        )
-
-    return {
-        "nlp_grad_f": function("nlp_grad_f", 2, slope),
-        "nlp_jac_g": function("nlp_jac_g", 2, rows),
-        "nlp_hess_l": function("nlp_hess_l", 4, bent),
+        return ca.nlpsol("rod_fatrop", name, form.program, options | {"cache": form.derivatives})
+    options["ipopt"] = {
+        "print_level": 0,
+        "sb": "yes",
+        "tol": TOLERANCE,
+        "max_iter": ITERATIONS,
+        **({"mu_init": NEARBY["mu_init"]} if structure.links else {}),
     }
+    options["cache"] = derivatives(
+        [nlp.x, nlp.p, *nlp.multipliers],
+        slope={"f": nlp.f, "grad_f_x": nlp.gradient},
+        rows={"g": nlp.g, "jac_g_x": nlp.jacobian},
+        bent={"triu_hess_gamma_x_x": ca.triu(nlp.hessian)},
+    )
+    program = {"x": nlp.x, "g": nlp.g, "f": nlp.f, "p": nlp.p}
+    return ca.nlpsol("rod_ipopt", name, program, options)
+
+
+@lru_cache(maxsize=128)
+def yielding(structure: Structure) -> YieldingProgram:
+    """fatrop's form of the program of a structure; it is kept."""
+    return YieldingProgram(build(structure))
 
 
 def first_use(structure: Structure, name: str, near: bool) -> float:
@@ -136,16 +128,35 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
     """Solve from ``x0`` and multipliers (both warm or both cold)."""
     solver = built(nlp.structure, name, near)
     upper = np.where(nlp.equality, 0.0, np.inf)
-    begin = time.perf_counter()
-    answer = solver(x0=x0, lam_g0=multipliers, p=parameters, lbg=0.0, ubg=upper)
-    elapsed = time.perf_counter() - begin
-    stats = solver.stats()
-    x = answer["x"].full().ravel()
+    iterations, begin = 0, time.perf_counter()
+
+    def asked(start, given, known):
+        nonlocal iterations
+        # A cable that ran away is told with all its numbers.
+        with contextlib.redirect_stderr(io.StringIO()):
+            answer = solver(x0=start, lam_g0=known, p=given, lbg=0.0, ubg=upper)
+        stats = solver.stats()
+        iterations += int(stats["iter_count"])
+        return bool(stats["success"]), answer["x"].full().ravel(), answer["lam_g"].full().ravel()
+
+    if name == "ipopt":
+        success, x, multipliers = asked(x0, parameters, multipliers)
+    else:
+        form = yielding(nlp.structure)
+        if multipliers.any():
+            multipliers = multipliers.copy()
+            multipliers[form.rows] = form.prices(x0, parameters, multipliers)
+        found, known = form.start(x0, multipliers, parameters)
+        for _ in range(1 + CORRECTIONS):
+            success, found, known = asked(found, form.parameters(parameters, known), known)
+            if not success or np.abs(found[form.yields]).max(initial=0.0) < EXACT:
+                break
+        x, multipliers = form.read(found, known, parameters)
     return RawSolution(
         x=x,
-        multipliers=answer["lam_g"].full().ravel(),
-        success=bool(stats["success"]) and bool(np.abs(x).max() < RUNAWAY),
-        iterations=int(stats["iter_count"]),
-        time=elapsed,
+        multipliers=multipliers,
+        success=success and bool(np.abs(x).max() < RUNAWAY),
+        iterations=iterations,
+        time=time.perf_counter() - begin,
         solver=name,
     )

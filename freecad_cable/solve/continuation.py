@@ -49,13 +49,15 @@ def continued(problem: Problem, elements: int) -> Iterator[Trial]:
         reach = 1.0 if loose == slack else (1 - loose ** (1 - progress) * slack**progress) / chord
         return {"load": load ** (1 - progress), "reach": reach}
 
-    arc_length = mesh.graded(elements, mesh.layers(scene, scaling, load), problem.breaks)
+    arc_length = mesh.uniform(elements, problem.breaks)
     trial = problem.solve(guess(scene, scaling, arc_length), **at(0))
     longest = 1 / np.ceil(np.log(max(1 / load, loose / slack)) / np.log(FACTOR))
     progress, step = 0.0, longest
     while trial is not None and progress < 1:
         ahead = min(1.0, progress + step)
         start = trial.shape.on(mesh.refined(trial.shape, elements))
+        before, after = (scaling.loaded(at(p)["load"]).force for p in (progress, ahead))
+        start = start.in_units(before / after)
         following = problem.solve(start, **at(ahead), fallback=step <= longest * SHORTEST)
         if following is None or following.error > DRIFT:
             step /= 2

@@ -4,9 +4,6 @@
 import numpy as np
 from scipy.integrate import trapezoid
 
-from ..geometry.curves import catenary
-from ..problem import Clamped, Swivel
-
 COARSE = 32
 """Elements of a first mesh: Table 1 of the seed paper is then within 1e-5 L with the scheme of order 4."""
 SIZES = (32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
@@ -24,48 +21,20 @@ def uniform(elements, breaks=()) -> np.ndarray:
 
 
 def graded(elements, layers, breaks=()) -> np.ndarray:
-    """(n+1,) arc lengths, half of the elements within about three layer widths of the ends.
-
-    ``layers``: width of the bending layer at start and end, relative to the length; None where there is none.
-    """
-    s = np.linspace(0, 1, 4001)
+    """(n+1,) arc lengths, twice as many elements for each of the ``layers`` as for all the rest: (place, width) of
+    where bending is gathered, relative to the length."""
+    narrowest = min((width for _, width in layers), default=1.0)
+    near = np.concatenate([[0.0], np.geomspace(narrowest / 100, 1, 400)])
+    s = [np.linspace(0, 1, 101), *(place + sign * near for place, _ in layers for sign in (1, -1))]
+    s = np.unique(np.concatenate(s))
+    s = s[(s >= 0) & (s <= 1)]
     density = np.ones_like(s)
-    for width, distance in zip(layers, (s, 1 - s), strict=True):
-        if width is not None:
-            layer = np.exp(-distance / (2 * width))
+    for place, width in layers:
+        away = np.abs(s - place)
+        # Elements that grow by a factor from one to the next: a spline through nodes that jump would ring.
+        for layer in (np.exp(-away / (2 * width)), 1 / (away + 2 * width)):
             density += layer / trapezoid(layer, s)
     return _by_stretches(s, density, elements, breaks)
-
-
-def layers(scene, scaling, load=1.0):
-    """Widths √(EI/T) of the bending layers at ends that hold a tangent, from the tension of the catenary."""
-    if not scene.weight.any():
-        return None, None
-    weight = load * float(np.linalg.norm(scene.weight))
-    bending = float(np.sqrt(np.prod(scene.rod.bending_stiffness)))
-    tensions = _tensions(scene, weight)
-    found = []
-    for end, tension in zip((scene.start, scene.end), tensions, strict=True):
-        holds = isinstance(end, (Clamped, Swivel))
-        width = np.sqrt(bending / tension) / scaling.length if holds and tension > 0 else 1.0
-        found.append(width if width < 0.1 else None)
-    return tuple(found)
-
-
-def _tensions(scene, weight):
-    length = scene.rod.length
-    if not scene.spans:
-        return weight * length, weight * length
-    a, b = scene.start.position, scene.end.position
-    curve = catenary(a, b, max(length, scene.chord * (1 + 1e-9)), scene.gravity)
-    down = scene.gravity / np.linalg.norm(scene.gravity)
-    sine = curve.tangent @ down
-    # Of a catenary the horizontal tension H is w times (tan at one end + tan at the other) per length.
-    cosine = np.sqrt(np.maximum(1 - sine**2, 1e-18))
-    slope = sine / cosine
-    spread = abs(slope[0] - slope[-1])
-    horizontal = weight * length / max(spread, 1e-9)
-    return horizontal / cosine[0], horizontal / cosine[-1]
 
 
 def refined(shape, elements) -> np.ndarray:

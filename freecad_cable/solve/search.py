@@ -19,7 +19,7 @@ from ..transcription.shape import Shape
 from . import contact, mesh
 from .continuation import continued, taut_chord
 from .saddle import descended
-from .trial import Problem, TimeUpError, Trial
+from .trial import LEADEN, Problem, TimeUpError, Trial
 
 GARBAGE = 0.02
 """Error estimate, relative to the length, above which a coarse answer says nothing about the true one."""
@@ -30,6 +30,9 @@ SCARCE = 1e-3
 """Slack, relative to the length, below which continuation comes first."""
 SOFT = 0.2
 """GJ/EI below which a cable hardly resists twist."""
+LIMP = 4e-3
+"""GJ/EI below which a first mesh is finer, like 1/√: on a coarse one the error of an element of order 4 is more than
+what little a twist costs, and the iteration twists the cable to exploit it (measured down to 1e-4)."""
 LOOSE = 0.65
 """Chord, relative to the length, below which a cable may as well loop as hang: both are tried."""
 HELD_AT = 1e-3
@@ -51,7 +54,9 @@ def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
 
 
 def apart(problem, trial):
-    """From a shape that may run through itself to one that does not; the same if none is found."""
+    """From a shape that may run through itself to one that does not; the same if none is found, or none is wanted."""
+    if not problem.parts:
+        return trial
     found = contact.apart(problem, trial)
     if found is trial or found.touches or problem.scene.options.elements is not None:
         return found
@@ -99,7 +104,7 @@ def _kinked(problem, trial, limit):
 def _free(problem, warm):
     """As if there were no obstacles."""
     elements = problem.scene.options.elements
-    first = mesh.uniform(elements or mesh.COARSE, problem.breaks)
+    first = _first_mesh(problem)
     found = None
     if warm is not None:
         places = [warm.arc_length[joint.node] for joint in warm.joints]
@@ -119,6 +124,20 @@ def _free(problem, warm):
     return refined(problem, found)
 
 
+def _first_mesh(problem, factor=1.0):
+    """For a guess; ``factor`` times as fine where no number of elements is asked for."""
+    rod = problem.scene.rod
+    if problem.model.twist:
+        softness = LIMP * rod.bending_stiffness.max() / rod.torsional_stiffness
+        factor *= max(1.0, softness**0.5)
+    if problem.narrow:
+        factor *= 2
+    elements = problem.scene.options.elements or mesh.size(factor * mesh.COARSE)
+    if problem.narrow:
+        return mesh.graded(elements, problem.narrow, problem.breaks)
+    return mesh.uniform(elements, problem.breaks)
+
+
 def _better(trial, other):
     """Resolved before unresolved, stable before unstable, then the lower energy."""
     rank = lambda t: (t.error > GARBAGE, not t.stable, t.energy)  # noqa: E731
@@ -127,19 +146,21 @@ def _better(trial, other):
 
 def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
     """Converged trials, cheapest first, made as they are asked for."""
+    layered = any(each is not None and each.valid for each in problem.layered)
     taut = taut_chord(problem.scene) > 1 - SCARCE
     ways = [
         lambda: _direct(problem, arc_length),
         lambda: continued(problem, len(arc_length) - 1),
     ]
-    if taut or problem.scaling.weight_ratio > HEAVY:
+    if not layered and (taut or problem.scaling.weight_ratio > HEAVY):
         ways.reverse()
     if problem.scene.options.elements is None:
         # A soft or sharply bent cable may need more elements before its program has the right minimum at all.
-        ways.append(lambda: _direct(problem, mesh.uniform(3 * mesh.COARSE, problem.breaks)))
+        ways.append(lambda: _direct(problem, _first_mesh(problem, 3)))
     for way in ways:
         yield from way()
-    yield from _elsewhere(problem, arc_length)
+    if problem.scaling.weight_ratio < LEADEN:
+        yield from _elsewhere(problem, arc_length)
 
 
 def _direct(problem, arc_length):
@@ -149,13 +170,16 @@ def _direct(problem, arc_length):
         trial = problem.solve(without_torsion)
         if trial is not None:
             yield trial
-    start = guess(scene, scaling, arc_length)
+    layered = problem.layered
+    start = guess(scene, scaling, arc_length, layered=layered)
     starts = [start]
     if problem.model.twist:
         roll = roll_mismatch(scene, start)
         if abs(roll) > DOUBTFUL_ROLL:
-            starts.append(guess(scene, scaling, arc_length, turns=-1 if roll > 0 else 1))
-    if scene.spans and 0 < scene.chord < LOOSE * scaling.length:
+            turns = -1 if roll > 0 else 1
+            starts.append(guess(scene, scaling, arc_length, turns=turns, layered=layered))
+    loose = scene.spans and 0 < scene.chord < LOOSE * scaling.length
+    if loose and scaling.weight_ratio < HEAVY:
         starts.append(guess(scene, scaling, arc_length, chain=not hangs(scaling)))
         if problem.model.twist and not hangs(scaling):
             # A loop without twist or a bow with a turn: either may cost less.

@@ -6,7 +6,6 @@ would take the nearest side, and fold the cable around the obstacle.
 """
 
 from dataclasses import replace
-from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -94,14 +93,6 @@ class Surroundings:
             allowed[(missing > 0) & (away <= 2 * missing + 1e-12)] = np.inf
             allowed[:, node] = np.inf
         return allowed
-
-    @cached_property
-    def holds_inside(self) -> bool:
-        """Whether an end is held nearer to an obstacle than the distance to keep."""
-        ends = [end for end in (self.scene.start, self.scene.end) if not isinstance(end, Free)]
-        places = np.array([self.scaling.point(end.position) for end in ends]).reshape(-1, 3)
-        _, found = self.nearest(places, self.keep)
-        return any(each.distance.min() < self.keep for each in found)
 
     def _rings(self, shape):
         """(node, radius) of the rings."""

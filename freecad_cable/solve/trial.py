@@ -13,6 +13,7 @@ from ..geometry import rotation
 from ..problem import Clamp, Ring, Scene
 from ..problem.reduce import Model
 from ..transcription import contact, layout
+from ..transcription.guess import gathered_at, layers
 from ..transcription.nlp import Nlp, build, pack
 from ..transcription.rows import SHORTEST
 from ..transcription.scaling import Scaling
@@ -24,11 +25,12 @@ from . import backend, stability, strong_form
 from .own import Own, Touches
 from .surroundings import Surroundings
 
-LIMP = 1e-2
-"""GJ/EI below which fatrop was seen to correct its matrix without end; ipopt gives up in time."""
-LEADEN = 3e5
-"""Weight ratio above which the same was seen."""
+THIN = 0.003
+"""Bending length √(EI/T), relative to the length, below which helix elements are used: over elements that are many of
+them long, strains that alternate from node to node cost an element of order 4 next to nothing."""
 
+LEADEN = 3e5
+"""Weight ratio above which fatrop was seen to correct its matrix without end, unless it starts near the answer."""
 
 ACTING = 1e-6
 """Push of a bound, in units of force, below which it is none: the solvers leave their tolerance of 1e-9 over the
@@ -165,6 +167,8 @@ class Problem:
     scene: Scene
     model: Model
     scaling: Scaling
+    layered: list
+    """of each stretch, how it bends if it may do so in layers only (see ``transcription.guess.layers``)"""
     deadline: float
     iterations: int = field(default=0)
     solve_time: float = field(default=0.0)
@@ -173,18 +177,29 @@ class Problem:
     """called before each run of a solver; see ``find_equilibrium``"""
     apart: bool = field(default=False)
     """whether the cable is kept from running through itself; first it is solved as if it need not"""
+    parts: bool = field(default=True)
+    """whether a cable that runs through itself is brought apart from itself"""
     formed: bool = field(default=False)
     """whether the cable must be formed to keep its bend radius; first it is solved as if it need not"""
 
     @classmethod
     def of(cls, scene: Scene, model: Model, watch=None) -> "Problem":
         deadline = time.perf_counter() + scene.options.time_limit
-        return cls(scene, model, Scaling.of(scene), deadline, watch=watch)
+        scaling = Scaling.of(scene)
+        layered = layers(scene, scaling)
+        pulls = [np.linalg.norm(each.pull) for each in layered if each is not None and each.valid]
+        scaling = scaling.pulled(max(pulls, default=0.0))
+        return cls(scene, model, scaling, layered, deadline, watch=watch)
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:
         """Arc lengths of the supports, relative to the length; guessed where the cable slides."""
         return breaks(self.scene, self.scaling)
+
+    @cached_property
+    def narrow(self) -> list[tuple[float, float]]:
+        """Places and widths of the bending layers that a mesh must gather nodes at."""
+        return gathered_at(self.scene, self.scaling, self.layered)
 
     @cached_property
     def surroundings(self) -> Surroundings:
@@ -197,18 +212,14 @@ class Problem:
     @property
     def scheme(self) -> str:
         wanted = self.scene.options.scheme
-        return "magnus" if wanted == "auto" else wanted
+        if wanted != "auto":
+            return wanted
+        return "helix" if self.scaling.tightness > THIN**-2 else "magnus"
 
     @property
     def solvers(self) -> list[str]:
         wanted = self.scene.options.solver
         names = ["fatrop", "ipopt"] if wanted == "auto" else [wanted]
-        rod = self.scene.rod
-        limp = rod.torsional_stiffness < LIMP * rod.bending_stiffness.min()
-        # From inside an obstacle fatrop was seen to correct its matrix without end as well.
-        inside = self.surroundings.holds_inside
-        if wanted == "auto" and (limp or inside or self.scaling.weight_ratio > LEADEN):
-            names = ["ipopt"]
         present = [name for name in names if backend.available(name)]
         if not present:
             raise SolverMissingError(
@@ -242,19 +253,20 @@ class Problem:
     ) -> Trial | None:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
 
-        ``load`` scales gravity and ``reach`` the distance of the ends: continuation goes through them, and
-        rather takes a shorter step than fall back to the slower solver. ``features`` (n+1, contacts, 12) are what
-        the nodes keep away from (see ``transcription.contact``), ``links`` what of the cable keeps away from itself.
+        ``load`` scales gravity, and with it the units of force, and ``reach`` the distance of the ends: continuation
+        goes through them, and rather takes a shorter step than fall back to the slower solver. ``features`` (n+1,
+        contacts, 12) are what the nodes keep away from (see ``transcription.contact``), ``links`` what of the cable
+        keeps away from itself.
         """
         nlp = self._built(
             start,
             0 if features is None else features.shape[1],
             () if links is None else links.pairs,
         )
-        values = self.scaling.parameters(self.scene, start, load, reach)
+        values = self.scaling.loaded(load).parameters(self.scene, start, load, reach)
         values["features"], values["links"] = features, links
         parameters = pack(nlp.structure, values, start.steps)
-        x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start)
+        x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start, values["weight"])
         for name, near in self._attempts(nlp, start, fallback):
             if time.perf_counter() > self.deadline:
                 raise TimeUpError
@@ -274,6 +286,8 @@ class Problem:
         if nlp.structure.links:
             return [("ipopt", False)]
         names = self.solvers if fallback else self.solvers[:1]
+        if start.force is None and self.scaling.weight_ratio > LEADEN:
+            names = [name for name in self.solvers if name != "fatrop"] or names
         near = start.force is not None and not nlp.equality.all()
         first = [("fatrop", True)] if near and names[0] == "fatrop" else []
         return [*first, *((name, False) for name in names)]

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the iteration starts: a smooth curve of the right length between the ends, with frames along it."""
 
+from dataclasses import replace
+
 import numpy as np
 from scipy.integrate import trapezoid
 
 from ..geometry import rotation
 from ..geometry.curves import catenary, hermite
 from ..geometry.guess import perpendicular
+from ..geometry.layers import Layered
 from ..problem import Clamped, Pinned, Scene
 from .scaling import Scaling
 from .shape import Shape
@@ -16,41 +19,105 @@ HEAVY = 50.0
 """Weight ratio w L³/EI above which a hanging chain is nearer to the cable than a spline (measured: from a
 spline the iteration begins to fail at about 1e4, from a catenary below about 10 it takes longer)."""
 
+NARROW = 0.05
+"""Width of a layer, relative to the length, below which a first mesh gathers nodes there."""
+
+TAUT = 0.02
+"""Slack, relative to the length, below which a cable without weight may bend in layers only: with larger ones it bends
+over a tenth of its length at least."""
+
+ROLLS = 24
+"""Angles of an end that lets the cable roll, among which a guess chooses."""
+
+LADEN = 400.0
+"""Weight ratio from which a slack cable may bend in layers only: they are √(EI/T) wide, about a twentieth of it."""
+
+STRETCHED = 0.01
+"""Stretch from which a cable is no longer near to one that does not stretch."""
+
 LEAN = 1e-3
 """Sideways disturbance of a start, in cable lengths: a start that is exactly symmetric converges to a saddle
 with success. Far larger than rounding, far smaller than what changes the iteration count."""
 
 
-def guess(scene: Scene, scaling: Scaling, arc_length, *, turns=0, chain=None, sag=None) -> Shape:
+def guess(
+    scene: Scene, scaling: Scaling, arc_length, *, turns=0, chain=None, sag=None, layered=()
+) -> Shape:
     """Nodes at ``arc_length`` (n+1,) in [0, 1], those of the supports among them, that satisfy the end conditions,
     nearly in equilibrium.
 
     The frames carry as little twist as the ends allow, plus ``turns`` full turns. ``chain`` chooses
     between a hanging chain and a spline (None: by weight); ``sag`` (3,) sends the slack elsewhere than gravity.
+    ``layered`` are the stretches that bend in layers only (see ``layers``); of a cable that is one such stretch
+    forces and moments are known too.
     """
-    position, tangent = _curve(scene, scaling, arc_length, chain, sag)
+    position, tangent, force = _curve(scene, scaling, arc_length, chain, sag, layered)
     start = scene.start
     first = start.quaternion if isinstance(start, Clamped) else rotation.from_tangent(tangent[0])
     quaternion = rotation.transport(first, tangent)
-    return rolled(scene, scaling, arc_length, position, quaternion, turns)
+    shape = rolled(scene, scaling, arc_length, position, quaternion, turns)
+    if force is None:
+        return shape
+    stiffness = scaling.stiffness(scene.rod)[:3]
+    bend = shape.strain[:, :3] - scene.rod.natural_curvature * scaling.length
+    moment = np.einsum("kij,kj->ki", rotation.matrix(shape.quaternion), stiffness * bend)
+    return replace(shape, force=force * stiffness[:2].prod() ** 0.5, moment=moment)
+
+
+def layers(scene: Scene, scaling: Scaling) -> list[Layered | None]:
+    """Of each stretch between held places, how it bends if it is so heavy or taut that it may do so in layers only."""
+    weight = _weight(scene, scaling)
+    held = waypoints(scene, scaling)
+    found = []
+    for a, b in zip(held, held[1:], strict=False):
+        length = b.arc_length - a.arc_length
+        slack = 1 - np.linalg.norm(b.position - a.position) / length
+        plain = slack > TAUT and np.linalg.norm(weight) * length**3 < LADEN
+        stretch = (
+            None if plain else Layered(a.position, a.tangent, b.position, b.tangent, length, weight)
+        )
+        found.append(stretch if stretch is None or _hardly_stretches(scene, stretch) else None)
+    return found
+
+
+def _hardly_stretches(scene, stretch):
+    rod = scene.rod
+    if rod.axial_stiffness is None or not stretch.valid:
+        return True
+    pull = np.linalg.norm(stretch.pull) * np.sqrt(np.prod(rod.bending_stiffness)) / rod.length**2
+    return pull < STRETCHED * rod.axial_stiffness
+
+
+def gathered_at(scene: Scene, scaling: Scaling, layered) -> list[tuple[float, float]]:
+    """(arc length, width) of the bending layers that are narrow; ``layered`` as from ``layers``."""
+    held, weight = waypoints(scene, scaling), np.linalg.norm(_weight(scene, scaling))
+    found = []
+    for a, b, stretch in zip(held, held[1:], layered, strict=False):
+        if stretch is not None:
+            found += zip((a.arc_length, b.arc_length), stretch.widths, strict=True)
+    for holder, end, there in ((held[0], scene.start, 0.0), (held[-1], scene.end, 1.0)):
+        below = abs(there - holder.arc_length)
+        if not isinstance(end, Pinned) and holder.tangent is not None and weight * below > 0:
+            found.append((holder.arc_length, (weight * below) ** -0.5))
+    return [(place, width) for place, width in found if width is not None and width < NARROW]
+
+
+def _weight(scene, scaling):
+    """(3,) w L³/EI with its direction"""
+    return scene.weight * scaling.length**3 / np.sqrt(np.prod(scene.rod.bending_stiffness))
 
 
 def rolled(scene, scaling, arc_length, position, quaternion, turns=0) -> Shape:
     """Frames without twist (n+1, 4) rolled about their tangents so that they satisfy the ends, the twist spread
     evenly beside the natural one."""
-    start = scene.start
     natural_twist = scene.rod.natural_curvature[2] * scaling.length
-    if isinstance(scene.end, Clamped):
+    clamped = [isinstance(end, Clamped) for end in (scene.start, scene.end)]
+    roll = 0.0
+    if clamped[1]:
         last = rotation.multiply(rotation.conjugate(quaternion[-1]), scene.end.quaternion)
-        roll = 2 * np.arctan2(last[3], last[0])
-        if isinstance(start, Clamped):
-            roll = roll - natural_twist
-            roll = (roll + np.pi) % (2 * np.pi) - np.pi + natural_twist + 2 * np.pi * turns
-            spin = roll * arc_length
-        else:
-            spin = roll + natural_twist * (arc_length - 1)
-    else:
-        spin = natural_twist * arc_length
+        roll = 2 * np.arctan2(last[3], last[0]) - natural_twist
+        roll = (roll + np.pi) % (2 * np.pi) - np.pi + 2 * np.pi * turns * clamped[0]
+    spin = _spin(scene, scaling, arc_length, quaternion, clamped, roll) + natural_twist * arc_length
     spin = np.outer(spin, (0.0, 0.0, 1.0))
     joints = np.searchsorted(arc_length, np.array(breaks(scene, scaling)) - 1e-12)
     return Shape.from_frames(
@@ -59,6 +126,32 @@ def rolled(scene, scaling, arc_length, position, quaternion, turns=0) -> Shape:
         rotation.multiply(quaternion, rotation.exponential(spin)),
         [int(node) for node in joints],
     )
+
+
+def _spin(scene, scaling, arc_length, quaternion, clamped, roll):
+    """(n+1,) turn of the frames beside the natural twist: from 0 at a clamped start to ``roll`` at a clamped end,
+    evenly. An end that lets the cable roll gets the turn with which it bends most willingly."""
+    rod = scene.rod
+    natural = rod.natural_curvature * scaling.length
+    if all(clamped) or (rod.isotropic and not natural[:2].any()):
+        return roll * (arc_length if clamped[0] else np.ones_like(arc_length))
+    turns = rotation.logarithm(
+        rotation.multiply(rotation.conjugate(quaternion[:-1]), quaternion[1:])
+    )
+    steps, middle = np.diff(arc_length), (arc_length[1:] + arc_length[:-1]) / 2
+    bend = (turns[:, 0] + 1j * turns[:, 1]) / steps
+    tries = np.linspace(-np.pi, np.pi, ROLLS, endpoint=False)
+    first = np.zeros(1) if clamped[0] else tries
+    last = np.array([roll]) if clamped[1] else tries
+    first, change = (each.ravel() for each in np.meshgrid(first, last, indexing="ij"))
+    if clamped[1]:
+        change = change - first
+    angle = first[:, None] + change[:, None] * middle + natural[2] * middle
+    seen = bend * np.exp(-1j * angle) - (natural[0] + 1j * natural[1])
+    stiffness = rod.stiffness
+    energy = (stiffness[0] * seen.real**2 + stiffness[1] * seen.imag**2) @ steps
+    best = np.argmin(energy + stiffness[2] * change**2)
+    return first[best] + change[best] * arc_length
 
 
 def roll_mismatch(scene: Scene, shape: Shape) -> float:
@@ -72,11 +165,14 @@ def hangs(scaling: Scaling) -> bool:
     return scaling.weight_ratio > HEAVY
 
 
-def _curve(scene, scaling, arc_length, chain, sag):
-    """Position and tangent (n+1, 3): a curve between each two places that hold the cable, and its free ends."""
-    weight = scene.weight * scaling.length**3 / np.sqrt(np.prod(scene.rod.bending_stiffness))
+def _curve(scene, scaling, arc_length, chain, sag, layered):
+    """Position and tangent (n+1, 3): a curve between each two places that hold the cable, and its free ends; and the
+    force per EI (n+1, 3), None if it is not known everywhere."""
+    weight = _weight(scene, scaling)
     held = waypoints(scene, scaling)
-    pieces = []
+    if chain is False or sag is not None or len(layered) != len(held) - 1:
+        layered = [None] * (len(held) - 1)
+    pieces, force = [], None
     if not isinstance(scene.start, Pinned):
         first = held[0]
         whole = len(held) == 1 and isinstance(scene.end, Pinned)
@@ -89,7 +185,12 @@ def _curve(scene, scaling, arc_length, chain, sag):
         inside = (arc_length >= a.arc_length) & (
             (arc_length <= b.arc_length) if last else (arc_length < b.arc_length)
         )
-        pieces.append(_between(a, b, arc_length[inside], weight, chain, sag))
+        if layered[k] is None or not layered[k].valid:
+            pieces.append(_between(a, b, arc_length[inside], weight, chain, sag))
+            continue
+        position, tangent, pull = layered[k].at(arc_length[inside] - a.arc_length)
+        pieces.append((position, tangent))
+        force = pull if len(pull) == len(arc_length) else None
     if not isinstance(scene.end, Pinned):
         last = held[-1]
         here = arc_length[
@@ -97,7 +198,7 @@ def _curve(scene, scaling, arc_length, chain, sag):
         ]
         pieces.append(_hanging(last.position, last.tangent, weight, here - last.arc_length))
     position, tangent = (np.vstack(part) for part in zip(*pieces, strict=True))
-    return position, tangent
+    return position, tangent, force
 
 
 def _between(a, b, arc_length, weight, chain, sag):

@@ -15,9 +15,11 @@ def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
     strain = shape.strain[:, kept]
     nodes = [shape.position, shape.quaternion]
     continuous = SCHEMES[structure.scheme].STRAIN_IS_STATE
-    controls = list(strain[1:] if continuous else (strain[1:] + strain[:-1]) / 2)
     if continuous:
         nodes.append(strain)
+        controls = list(strain[1:])
+    else:
+        controls = list(_element_strains(shape)[:, kept])
     places = shape.arc_length[structure.ends]
     if structure.slides:
         stretch = np.searchsorted(structure.joints, np.arange(structure.elements + 1), "left")
@@ -25,7 +27,6 @@ def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
     for j, joint in enumerate(shape.joints):
         first = joint.strain[kept]
         if not continuous:
-            controls[joint.node] = (first + strain[joint.node + 1]) / 2
             first = first[:0]
         length = np.diff(places)[j + 1 : j + 2] if structure.slides else first[:0]
         controls[joint.node] = np.concatenate([first, controls[joint.node], length])
@@ -34,15 +35,33 @@ def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
     return np.concatenate([*stages, nodes[-1]])
 
 
-def multipliers(nlp: Nlp, shape: Shape) -> np.ndarray:
-    """Multipliers of a shape with known forces and moments (zero for a guess)."""
+def _element_strains(shape):
+    """(n, 6) constant over each element: curvature and twist that turn one node's frame into the next."""
+    strain = np.vstack([(part.strain[1:] + part.strain[:-1]) / 2 for part in shape.parts()])
+    turns = rotation.multiply(rotation.conjugate(shape.quaternion[:-1]), shape.quaternion[1:])
+    strain[:, :3] = rotation.logarithm(turns) / shape.steps[:, None]
+    return strain
+
+
+def multipliers(nlp: Nlp, shape: Shape, weight) -> np.ndarray:
+    """Multipliers of a shape with known forces and moments (zero for a guess); ``weight`` (3,) as in the parameters.
+
+    Along a quaternion itself, where no moment says anything, they follow from stationarity in its norm: what it rotates
+    an element by (see ``element.rotate``) is quadratic in it.
+    """
     lam = np.zeros(len(nlp.equality))
     if shape.force is None:
         return lam
     spins = _spins(shape.quaternion)
+    along = np.diff(shape.position, axis=0)
+    frames = rotation.matrix(shape.quaternion[:-1])
+    along = along - np.einsum("kji,kj->ki", frames, along)
+    pulled = 2 * (along * shape.force[1:]).sum(axis=1) + shape.steps * (along @ weight)
+    norm = np.append(np.cumsum(pulled[::-1])[::-1], 0.0)
     for k, row in enumerate(nlp.gaps):
         lam[row : row + 3] = shape.force[k + 1]
-        lam[row + 3 : row + 7] = 2 * shape.moment[k + 1] @ spins[k + 1]
+        turning = 2 * shape.moment[k + 1] @ spins[k + 1]
+        lam[row + 3 : row + 7] = turning + norm[k + 1] * shape.quaternion[k + 1]
     return lam
 
 

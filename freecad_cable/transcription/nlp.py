@@ -30,6 +30,8 @@ class Nlp:
     p: ca.MX
     energies: ca.MX
     means: ca.MX
+    turns: ca.MX
+    """strain times length of each element"""
     multipliers: tuple[ca.MX, ca.MX]
     """λ_f and λ, in which the next is written"""
     hessian: ca.MX
@@ -112,6 +114,7 @@ def build(structure: Structure) -> Nlp:
         p=writer.p,
         energies=writer.energies,
         means=writer.means,
+        turns=writer.turns,
         multipliers=(writer.factor, writer.multipliers),
         hessian=writer.hessian,
         jacobian=writer.jacobian,

@@ -6,7 +6,7 @@ positions, curvatures and forces of light and of heavy cables are all of order o
 tolerance of the solver means the same for a wire of a millimetre and a sea cable.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -19,12 +19,13 @@ from .shape import Shape
 
 @dataclass(frozen=True)
 class Scaling:
-    """``length`` [m], ``force`` [N], ``origin`` (3,) [m], ``weight_ratio`` w L³/EI."""
+    """``length`` [m], ``force`` [N], ``origin`` (3,) [m], ``weight_ratio`` w L³/EI, ``tightness`` force L²/EI."""
 
     length: float
     force: float
     origin: np.ndarray
     weight_ratio: float
+    tightness: float
 
     @classmethod
     def of(cls, scene: Scene) -> "Scaling":
@@ -33,7 +34,23 @@ class Scaling:
         ratio = float(np.linalg.norm(scene.weight)) * rod.length**3 / stiffness
         force = stiffness / rod.length**2 * (1 + ratio)
         held = [h for h in (scene.start, scene.end, *scene.supports) if not isinstance(h, Free)]
-        return cls(rod.length, force, held[0].position, ratio)
+        return cls(rod.length, force, held[0].position, ratio, 1 + ratio)
+
+    def loaded(self, load: float) -> "Scaling":
+        """That of the same rod under ``load`` times its weight."""
+        ratio = load * self.weight_ratio
+        factor = (1 + ratio) / (1 + self.weight_ratio)
+        return replace(
+            self,
+            force=self.force * factor,
+            weight_ratio=ratio,
+            tightness=self.tightness * factor,
+        )
+
+    def pulled(self, pull: float) -> "Scaling":
+        """That of a rod under a tension of at least ``pull``, in EI/L²."""
+        factor = max(1.0, pull / self.tightness)
+        return replace(self, force=self.force * factor, tightness=self.tightness * factor)
 
     @property
     def energy(self) -> float:

@@ -100,6 +100,16 @@ class Shape:
             cut(self.moment, (lambda m: m - joint.moment) if known else None),
         )
 
+    def in_units(self, factor) -> "Shape":
+        """The same with forces and moments in other units: ``factor`` times as many."""
+        if self.force is None:
+            return self
+        joints = tuple(
+            replace(joint, force=factor * joint.force, moment=factor * joint.moment)
+            for joint in self.joints
+        )
+        return replace(self, force=factor * self.force, moment=factor * self.moment, joints=joints)
+
     def on(self, arc_length) -> "Shape":
         """The same rod with nodes at other arc lengths, those of the joints among them; forces and moments go
         along."""

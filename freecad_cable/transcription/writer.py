@@ -29,6 +29,14 @@ PARAMETERS = {
 units (see ``scaling``)."""
 
 
+def from_triplets(shape, rows, columns, values) -> ca.MX:
+    """A sparse matrix from its nonzeros; no place twice."""
+    order = np.lexsort((rows, columns))
+    starts = np.concatenate([[0], np.cumsum(np.bincount(columns, minlength=shape[1]))])
+    sparsity = ca.Sparsity(*shape, starts.tolist(), rows[order].tolist())
+    return ca.MX(sparsity, values[order.tolist()])
+
+
 class Writer:
     """Collects rows and derivatives. ``x``, ``g``, ``f``, ``p`` and the like are MX columns."""
 
@@ -114,12 +122,7 @@ class Writer:
         self.equality, self.gaps, self.stage_sizes = equality, np.array(self.gaps), sizes
 
     def _matrix(self, height, rows, columns, values):
-        """A sparse matrix over x from its nonzeros; no place twice."""
-        order = np.lexsort((rows, columns))
-        counts = np.bincount(columns, minlength=self.numbers.size)
-        starts = np.concatenate([[0], np.cumsum(counts)])
-        sparsity = ca.Sparsity(height, self.numbers.size, starts.tolist(), rows[order].tolist())
-        return ca.MX(sparsity, values[order.tolist()])
+        return from_triplets((height, self.numbers.size), rows, columns, values)
 
     def _add_hessian(self, variables, values):
         """Dense symmetric blocks: ``variables`` (blocks, c), ``values`` the blocks after each other."""
@@ -146,6 +149,10 @@ class Writer:
         following = self._take(numbers.states[1:, :7])
         reached = ca.vertcat(places + displacement, turned)
         self.row_terms.append((rows.ravel(), ca.vec(following - reached)))
+
+        strained = self._take(numbers.first)
+        share = shares if numbers.stretch is None else shares * own[-1, :]
+        self.turns = ca.vec(strained * ca.repmat(share, strained.shape[0], 1))
 
         origin = named["start_position"]
         kinds = [0 if strain < 2 else 1 if strain == 2 else 2 for strain in structure.strains]

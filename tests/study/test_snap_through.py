@@ -87,12 +87,11 @@ def test_the_way_back_is_another():
     assert [round(jump.value, 2) for jump in found] == [-0.08, 0.08]
 
 
-@pytest.mark.parametrize(("axial", "strain"), [(1e4, 0.002), (1e3, 0.02)])
-def test_a_twisted_cable_leaves_the_straight_line_at_the_critical_turn(axial, strain):
+def test_a_twisted_cable_leaves_the_straight_line_at_the_critical_turn():
     """Greenhill: the torque at which a rod between clamps under the tension EA ε buckles, and the turn GJ gives
     it."""
-    exact = twist(axial * strain) / 0.8
-    found = jumps(lambda turn: twisted(turn, strain, axial), np.arange(0.0, 17.0, 1.0))
+    exact = twist(20.0) / 0.8
+    found = jumps(lambda turn: twisted(turn, 0.02, 1e3), np.arange(0.0, 17.0, 1.0))
     assert found
     assert found[0].before == pytest.approx(exact, rel=0.01)
     assert found[0].after == pytest.approx(exact, rel=0.01)

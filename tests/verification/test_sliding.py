@@ -187,7 +187,8 @@ def test_order(scheme):
     scene = plane_scene([Ring([0.4, 0, 0.12], [1, 0, 0], 0.001)], tilted, 5.0, length=1.1)
 
     def solve(elements, scheme=scheme):
-        options = SolveOptions(elements=elements, scheme=scheme)
+        # The cable also slides to another place, at a little more energy; ipopt goes to the same one on all meshes.
+        options = SolveOptions(elements=elements, scheme=scheme, solver="ipopt")
         return find_equilibrium(replace(scene, options=options)).raise_for_status()
 
     def read(solution):
