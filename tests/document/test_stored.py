@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Documents that users have: a file of every schema so far opens, computes, and is edited."""
+"""Documents that users have: a file of every schema so far opens, computes, and is edited.
+
+FreeCAD 1.x touches every object of an older file that has a shape, its own boxes too: the shapes have no names of elements.
+"""
 
 import shutil
 import sys
@@ -49,7 +52,8 @@ class StoredTest(DocumentTest):
             ours = [o for o in self.doc.Objects if isinstance(getattr(o, "Proxy", None), Proxy)]
             self.assertEqual({type(o.Proxy).__name__ for o in ours}, set(KINDS))
             for obj in ours:
-                self.assertEqual(obj.State, ["Up-to-date"], obj.Name)
+                by_freecad = self.doc.Roof.State if hasattr(obj, "Shape") else ["Up-to-date"]
+                self.assertEqual(obj.State, by_freecad, obj.Name)
                 self.assertEqual(obj.SchemaVersion, SCHEMA_VERSION)
                 missing = {prop.name for prop in obj.Proxy.TABLE} - set(obj.PropertiesList)
                 self.assertEqual(missing, set())
@@ -59,6 +63,7 @@ class StoredTest(DocumentTest):
             self.assertEqual(cable.CutLength.Value, 350)
             self.assertEqual((len(cable.ContactForces), len(cable.SupportForces)), (1, 1))
             self.assertTrue(cable.Shape.isClosed())
+            self.compute()
 
     def test_it_computes_to_the_same_and_is_edited(self):
         for version in range(1, SCHEMA_VERSION + 1):
@@ -80,8 +85,8 @@ class StoredTest(DocumentTest):
             here = seen(self.open(version))
             observed = in_a_fresh_process(DATA / f"schema-{version}.FCStd", self.folder)
             self.assertEqual(observed["modules"], [])
-            for when in ("opened", "recomputed"):
-                self.assertEqual(observed[when], here, when)
+            self.assertEqual(observed["opened"], here)
+            self.assertEqual(observed["recomputed"], here | {"State": ["Up-to-date"]})
             self.assertIn("CasADi is not installed", observed["message"])
             command = observed["message"].partition("Install it with: ")[2]
             wanted = "python{}.{} -m pip install --no-deps casadi --target ".format(
