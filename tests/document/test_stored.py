@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Documents that users have: a file of every schema so far opens, computes, and is edited.
 
-FreeCAD 1.x touches every object of an older file that has a shape, its own boxes too: the shapes have no names of elements.
+FreeCAD 1.x touches every object of an older file that has a shape, its own boxes too: its shapes have no
+names of elements.
 """
 
 import shutil
