@@ -67,7 +67,8 @@ class YieldingProgram:
             return ca.Function("own", inputs, outputs).call(given, False, True)
 
         (energy,), (gradient,) = own([nlp.f], *at), own([nlp.gradient], *at)
-        g, jacobian = own([nlp.g, nlp.jacobian.nz[:]], *at)
+        # A function each: fatrop asks for the rows more often than for their Jacobian.
+        (g,), (jacobian,) = own([nlp.g], *at), own([nlp.jacobian.nz[:]], *at)
         (turns,) = own([nlp.turns], *at)
         sane = ca.logic_and(_largest(x) < RUNAWAY, _largest(turns) < WRUNG)
         sure = factor.attachAssert(sane, "the cable ran away")

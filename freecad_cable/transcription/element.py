@@ -29,6 +29,12 @@ def series(t, first):
     return total
 
 
+def upper(matrix):
+    """Upper triangle of a symmetric matrix, row by row, as a dense column."""
+    size = matrix.shape[0]
+    return ca.densify(ca.vertcat(*(matrix[i, i:].T for i in range(size))))
+
+
 def conjugate(q):
     """Inverse of a unit quaternion."""
     return ca.vertcat(q[0], -q[1:])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One element as functions: what it does, and what its derivatives are.
 
-The functions are written once, symbolically, and mapped over all elements of a rod. The Hessian follows the chain
+The functions are written once, symbolically, and evaluated across all elements of a rod. The Hessian follows the chain
 rule through the screw by hand: half the operations of differentiating the whole.
 """
 
@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import casadi as ca
 
 from . import helix, magnus
-from .element import body, conjugate, multiply, rotate, step
+from .element import body, conjugate, multiply, rotate, step, upper
 
 SCHEMES = {"helix": helix, "magnus": magnus}
 
@@ -24,8 +24,9 @@ def element(scheme: str, kept: tuple[int, ...], slides: bool) -> SimpleNamespace
 
     ``motion`` (v, h, stiffness and natural strains and weight) → displacement (3), next quaternion (4). ``energy``
     (v, h, …) → elastic energies (m), mean position over the element from its node (3), length. ``slope`` (r − origin,
-    v, h, …) → gradient of the energy over r and v. ``block`` (v, h, …, λ_f, λ of the pose gap) → Hessian of the
-    element's part of the Lagrangian over v. ``reach`` (v, h, …) → Jacobian (7, …) of the pose that it reaches, over v.
+    v, h, …) → gradient of the energy over r and v. ``block`` (v, h, …, λ_f, λ of the pose gap) → upper triangle of the
+    Hessian of the element's part of the Lagrangian over v. ``reach`` (v, h, …) → Jacobian of the pose that it reaches,
+    over v, column by column (7 for each).
     """
     law = _Law(SCHEMES[scheme], kept, slides)
     block, reach = law.derivatives()
@@ -110,7 +111,7 @@ class _Law:
         mixed = -along.T @ (lead.T @ ca.jacobian(weights, q))
         stiff = ca.hessian(factor * ca.sum1(self.elastic), strains)[0]
         stretched = along.T @ curved @ along + bent + stiff
-        block = ca.triu2symm(ca.triu(ca.blockcat([[turning, mixed.T], [mixed, stretched]])))
+        block = upper(ca.blockcat([[turning, mixed.T], [mixed, stretched]]))
         d, e = ca.SX.sym("d", 3), ca.SX.sym("e", 4)
         pose = ca.vertcat(rotate(q, d), multiply(q, e))
         outer = ca.horzcat(ca.jacobian(pose, q), ca.jacobian(pose, ca.vertcat(d, e)))
@@ -118,6 +119,6 @@ class _Law:
         inner = ca.vertcat(lead[:3, :], lead[6:, :]) @ along
         reach = ca.horzcat(outer[:, :4], outer[:, 4:] @ inner)
         return (
-            ca.Function("block", [*self.inputs, factor, gap], [ca.densify(block)]),
-            ca.Function("reach", self.inputs, [ca.densify(reach)]),
+            ca.Function("block", [*self.inputs, factor, gap], [block]),
+            ca.Function("reach", self.inputs, [ca.densify(ca.vec(reach))]),
         )

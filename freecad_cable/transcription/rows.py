@@ -2,11 +2,13 @@
 """Rows of the stages that ends and supports hold, as functions with their derivatives."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import casadi as ca
 import numpy as np
 
 from . import ends, supports
+from .element import upper
 from .numbering import Numbering
 from .structure import Structure
 
@@ -19,20 +21,28 @@ class Held:
     """Rows of one stage: functions of its variables (indices into x) and of parameters, equations before bounds."""
 
     functions: tuple[ca.Function, ca.Function, ca.Function]
-    """see ``derived``"""
+    """see ``_derived``"""
     variables: np.ndarray
     parameters: ca.MX
     equations: int
     bounds: int
 
 
-def derived(rows, v, p, lam):
-    """Functions (v, p) → rows, (v, p) → their Jacobian, (v, p, λ) → Hessian of λ·rows, the last two dense."""
+@lru_cache(maxsize=16)
+def bounds(gap, variables: int, parameters: int):
+    """``_derived`` of a bound gap(v, p) ≥ 0."""
+    v, p = ca.SX.sym("v", variables), ca.SX.sym("p", parameters)
+    return _derived(gap(v, p), v, p, ca.SX.sym("lam"))
+
+
+def _derived(rows, v, p, lam):
+    """Functions (v, p) → rows, (v, p) → their Jacobian, (v, p, λ) → upper triangle of the Hessian of λ·rows; the
+    last two dense columns."""
     slope, bent = ca.jacobian(rows, v), ca.hessian(ca.dot(lam, rows), v)[0]
     return (
         ca.Function("rows", [v, p], [rows]),
-        ca.Function("slope", [v, p], [ca.densify(slope)]),
-        ca.Function("bent", [v, p, lam], [ca.densify(bent)]),
+        ca.Function("slope", [v, p], [ca.densify(ca.vec(slope))]),
+        ca.Function("bent", [v, p, lam], [upper(bent)]),
     )
 
 
@@ -50,11 +60,16 @@ def holders(structure: Structure, numbers: Numbering, start, end, held) -> dict[
     return {stage: each for stage, each in found.items() if each.equations + each.bounds}
 
 
+def bend_left(kappa, limit):
+    """About the curvature that is left to the limit."""
+    return (limit - ca.sumsqr(kappa) / limit) / 2
+
+
 def _held(variables, parameters, write) -> Held:
     v, p = ca.SX.sym("v", len(variables)), ca.SX.sym("p", parameters.numel())
     equations, bounds = (ca.SX(ca.vertcat(*rows)) for rows in write(v, p))
     rows = ca.vertcat(equations, bounds)
-    functions = derived(rows, v, p, ca.SX.sym("lam", rows.numel()))
+    functions = _derived(rows, v, p, ca.SX.sym("lam", rows.numel()))
     return Held(functions, variables, parameters, equations.numel(), bounds.numel())
 
 

@@ -3,17 +3,18 @@
 
 Rows gap₀ rows₀ gap₁ … rows_N, with gap_k = x_{k+1} − F(x_k, u_k): the gap keeps the sign that makes its multipliers the
 internal force and (through the quaternion) moment. Nothing couples two stages but the gaps, which are linear in the
-next state, so the Hessian is block diagonal. Functions of one element, node or support are mapped over all of them
-and their values sorted into place, so that writing costs next to nothing however fine the mesh.
+next state, so the Hessian is block diagonal. Functions of one element, node or support are evaluated across all of
+them (see ``across``) and their values sorted into place, so that writing costs next to nothing however fine the mesh.
 """
 
 import casadi as ca
 import numpy as np
 
 from . import contact, supports
+from .across import across
 from .element_functions import element
 from .numbering import Numbering
-from .rows import derived, holders
+from .rows import bend_left, bounds, holders
 
 PARAMETERS = {
     "stiffness": 6,
@@ -53,8 +54,7 @@ class Writer:
         self.holders = holders(structure, self.numbers, start, end, self.supports)
         self._number_rows()
         self.multipliers = ca.MX.sym("lam_g", len(self.equality))
-        self.row_terms, self.slope_terms = [], []
-        self.hessian = ca.MX(self.numbers.size, self.numbers.size)
+        self.row_terms, self.slope_terms, self.bent_terms = [], [], []
         self._elements()
         self._linear_gaps()
         self._held()
@@ -67,9 +67,13 @@ class Writer:
         order = np.argsort(np.concatenate([rows for rows, _ in self.row_terms]))
         self.g = ca.vertcat(*(values for _, values in self.row_terms))[order.tolist()]
         rows, columns, values = zip(*self.slope_terms, strict=True)
-        self.jacobian = self._matrix(
-            len(self.equality), np.concatenate(rows), np.concatenate(columns), ca.vertcat(*values)
+        self.jacobian = from_triplets(
+            (len(self.equality), self.numbers.size),
+            np.concatenate(rows),
+            np.concatenate(columns),
+            ca.vertcat(*values),
         )
+        self.hessian = self._summed_hessian()
 
     def _read_parameters(self):
         structure = self.structure
@@ -121,65 +125,76 @@ class Writer:
         equality += [False] * len(structure.links)
         self.equality, self.gaps, self.stage_sizes = equality, np.array(self.gaps), sizes
 
-    def _matrix(self, height, rows, columns, values):
-        return from_triplets((height, self.numbers.size), rows, columns, values)
+    def _add_hessian(self, variables, triangles):
+        """Symmetric blocks over ``variables`` (blocks, c), from their upper ``triangles`` (blocks, …) row by row."""
+        blocks, count = variables.shape
+        first, second = np.triu_indices(count)
+        place = np.zeros((count, count), int)
+        place[first, second] = place[second, first] = np.arange(len(first))
+        i, j = np.divmod(np.arange(count * count), count)
+        from_which = place[i, j] * blocks + np.arange(blocks)[:, None]
+        self.bent_terms.append((variables[:, i], variables[:, j], from_which, ca.vec(triangles)))
 
-    def _add_hessian(self, variables, values):
-        """Dense symmetric blocks: ``variables`` (blocks, c), ``values`` the blocks after each other."""
-        count = variables.shape[1]
-        rows = np.repeat(variables[:, None, :], count, axis=1).ravel()
-        columns = np.repeat(variables[:, :, None], count, axis=2).ravel()
-        self.hessian += self._matrix(self.numbers.size, rows, columns, ca.vec(values))
+    def _summed_hessian(self):
+        """Blocks that share a place are summed; one product with a constant matrix does that and sorts."""
+        size, values = self.numbers.size, ca.vertcat(*(term[-1] for term in self.bent_terms))
+        begins = np.cumsum([0, *(term[-1].numel() for term in self.bent_terms)])
+        places = np.concatenate([(c * size + r).ravel() for r, c, _, _ in self.bent_terms])
+        which = np.concatenate([(w + b).ravel() for b, (_, _, w, _) in zip(begins, self.bent_terms)])
+        there, where = np.unique(places, return_inverse=True)
+        sums = ca.DM.triplet(
+            where.tolist(), which.tolist(), ca.DM.ones(len(which)), len(there), values.numel()
+        )
+        columns, rows = np.divmod(there, size)
+        return from_triplets((size, size), rows, columns, sums @ values)
 
-    def _take(self, variables):
-        """(c, blocks) values of the variables (blocks, c)."""
-        return ca.reshape(self.x[variables.ravel().tolist()], *variables.shape[::-1])
+    def _take(self, places, among=None):
+        """(blocks, c) values of the variables, or of ``among``, at the places (blocks, c)."""
+        values = self.x if among is None else among
+        return ca.reshape(values[places.T.ravel().tolist()], *places.shape)
 
     def _elements(self):
         structure, numbers, named = self.structure, self.numbers, self.named
         n = structure.elements
         functions = element(structure.scheme, structure.strains, structure.slides)
-        law = ca.repmat(ca.vertcat(named["stiffness"], named["natural"], named["weight"]), 1, n)
-        own, shares = self._take(numbers.element), self.steps.T
+        law = ca.vertcat(named["stiffness"], named["natural"], named["weight"]).T
+        own, shares = self._take(numbers.element), self.steps
         rows = self.gaps[:, None] + np.arange(7)
-        lam = ca.reshape(self.multipliers[rows.ravel().tolist()], 7, n)
-        displacement, turned = functions.motion.map(n)(own, shares, law)
-        elastic, mean, lengths = functions.energy.map(n)(own, shares, law)
+        lam = self._take(rows, self.multipliers)
+        displacement, turned = across(functions.motion, own, shares, law)
+        elastic, mean, lengths = across(functions.energy, own, shares, law)
         places = self._take(numbers.states[:-1, :3])
         following = self._take(numbers.states[1:, :7])
-        reached = ca.vertcat(places + displacement, turned)
-        self.row_terms.append((rows.ravel(), ca.vec(following - reached)))
+        reached = ca.horzcat(places + displacement, turned)
+        self.row_terms.append((rows.T.ravel(), ca.vec(following - reached)))
 
         strained = self._take(numbers.first)
-        share = shares if numbers.stretch is None else shares * own[-1, :]
-        self.turns = ca.vec(strained * ca.repmat(share, strained.shape[0], 1))
+        share = shares if numbers.stretch is None else shares * own[:, -1]
+        self.turns = ca.vec(strained * ca.repmat(share, 1, strained.shape[1]))
 
-        origin = named["start_position"]
         kinds = [0 if strain < 2 else 1 if strain == 2 else 2 for strain in structure.strains]
-        sums = ca.sum2(elastic)
+        sums = ca.sum1(elastic)
         parts = [sum(sums[i] for i, k in enumerate(kinds) if k == kind) for kind in range(3)]
-        offsets = places - ca.repmat(origin, 1, n)
-        self.energies = ca.vertcat(*parts, -ca.dot(named["weight"], (offsets + mean) @ lengths.T))
-        firsts = [0, *structure.joints]
-        self.means = mean[:, firsts]
-        slopes = functions.slope.map(n)(offsets, own, shares, law)
+        offsets = places - ca.repmat(named["start_position"].T, n, 1)
+        self.energies = ca.vertcat(*parts, -lengths.T @ (offsets + mean) @ named["weight"])
+        self.means = mean[[0, *structure.joints], :].T
+        (slopes,) = across(functions.slope, offsets, own, shares, law)
         changing = np.hstack([numbers.states[:-1, :3], numbers.element])
-        self.gradient = self._column(changing.ravel(), ca.vec(slopes))
+        self.gradient = self._column(changing.T.ravel(), ca.vec(slopes))
 
-        factors = ca.repmat(self.factor, 1, n)
-        blocks = functions.block.map(n)(own, shares, law, factors, lam)
+        (blocks,) = across(functions.block, own, shares, law, self.factor, lam)
         self._add_hessian(numbers.element, blocks)
-        reach = functions.reach.map(n)(own, shares, law)
+        (reach,) = across(functions.reach, own, shares, law)
         if structure.slides:
-            lift = ca.vec(-self.factor * named["weight"] @ shares)
-            r, length = numbers.states[:-1, :3].ravel(), np.repeat(numbers.stretch, 3)
-            half = self._matrix(numbers.size, r, length, lift)
-            self.hessian += half + half.T
+            lift = ca.vec(-self.factor * shares @ named["weight"].T)
+            r, length = numbers.states[:-1, :3].T, np.tile(numbers.stretch, (3, 1))
+            which = np.arange(lift.numel()).reshape(r.shape)
+            self.bent_terms += [(r, length, which, lift), (length, r, which, lift)]
         width = numbers.element.shape[1]
         self.slope_terms += [
             (
-                np.tile(rows[:, None, :], (1, width, 1)).ravel(),
-                np.repeat(numbers.element, 7, axis=1).ravel(),
+                np.tile(rows.T, (width, 1)).ravel(),
+                np.repeat(numbers.element.T, 7, axis=0).ravel(),
                 -ca.vec(reach),
             ),
             self._constant(rows, numbers.states[1:, :7], 1.0),
@@ -230,63 +245,39 @@ class Writer:
             given = self.x[variables.tolist()], held.parameters
             self.row_terms.append((rows, values(*given)))
             columns = np.tile(rows, len(variables)), np.repeat(variables, len(rows))
-            self.slope_terms.append((*columns, ca.vec(slope(*given))))
+            self.slope_terms.append((*columns, slope(*given)))
             multipliers = self.multipliers[rows.tolist()]
             self._add_hessian(variables[None], bent(*given, multipliers))
 
-    def _map_bounds(self, gap, variables, parameters, rows):
-        """Bounds gap(variables, parameters) ≥ 0, one a column: ``variables`` (bounds, c)."""
-        v, p = ca.SX.sym("v", variables.shape[1]), ca.SX.sym("p", parameters.shape[0])
-        lam = ca.SX.sym("lam")
-        value, slope, bent = (f.map(len(rows)) for f in derived(gap(v, p), v, p, lam))
+    def _bounds(self, gap, variables, parameters, rows):
+        """Bounds gap(variables, parameters) ≥ 0: ``variables`` (bounds, c), ``parameters`` (bounds or 1, …)."""
+        value, slope, bent = bounds(gap, variables.shape[1], parameters.shape[1])
         given = self._take(variables), parameters
-        self.row_terms.append((rows, ca.vec(value(*given))))
-        columns = np.repeat(rows, variables.shape[1]), variables.ravel()
-        self.slope_terms.append((*columns, ca.vec(slope(*given))))
-        return bent(*given, ca.reshape(self.multipliers[rows.tolist()], 1, len(rows)))
+        self.row_terms.append((rows, ca.vec(*across(value, *given))))
+        columns = np.tile(rows, variables.shape[1]), variables.T.ravel()
+        self.slope_terms.append((*columns, ca.vec(*across(slope, *given))))
+        (bent,) = across(bent, *given, self.multipliers[rows.tolist()])
+        self._add_hessian(variables, bent)
 
     def _contacts(self):
         count = self.structure.contacts
         nodes = np.repeat(self.touching, count)
         rows = np.concatenate([np.array(self.contact_rows[k]) for k in self.touching])
         slots = nodes * count + np.tile(np.arange(count), len(self.touching))
-        features = ca.reshape(self.features, contact.PARAMETERS, -1)[:, slots.tolist()]
+        features = slots[:, None] * contact.PARAMETERS + np.arange(contact.PARAMETERS)
         places = self.numbers.states[nodes, :3]
-        blocks = self._map_bounds(contact.gap, places, features, rows)
-        # The features of one node share its place.
-        summed = sum(ca.horzcat(*(ca.horzsplit(blocks, 3)[i::count])) for i in range(count))
-        self._add_hessian(self.numbers.states[self.touching, :3], summed)
+        self._bounds(contact.gap, places, self._take(features, self.features), rows)
 
     def _links(self):
         """Between nodes and elements of the rod itself, after the rows of all stages."""
         links = np.array(self.structure.links)
         places = self.numbers.states[:, :3]
         variables = np.hstack([places[links[:, 0]], places[links[:, 1]], places[links[:, 1] + 1]])
-        given = ca.reshape(self.links, contact.LINK_PARAMETERS, len(links))
-        blocks = self._map_bounds(contact.link_gap, variables, given, self.link_rows)
-        # One node may be in many links: what falls into one place is summed.
-        width = variables.shape[1]
-        rows = np.repeat(variables[:, None, :], width, axis=1).ravel()
-        columns = np.repeat(variables[:, :, None], width, axis=2).ravel()
-        there, where = np.unique(columns * self.numbers.size + rows, return_inverse=True)
-        columns, rows = np.divmod(there, self.numbers.size)
-        sums = ca.DM.triplet(
-            where.tolist(),
-            list(range(len(where))),
-            ca.DM.ones(len(where), 1),
-            len(there),
-            len(where),
-        )
-        self.hessian += self._matrix(self.numbers.size, rows, columns, sums @ ca.vec(blocks))
+        given = ca.reshape(self.links, contact.LINK_PARAMETERS, len(links)).T
+        self._bounds(contact.link_gap, variables, given, self.link_rows)
 
     def _bends(self):
-        """About the curvature that is left to the limit, at every strain."""
-
-        def left(kappa, limit):
-            return (limit - ca.sumsqr(kappa) / limit) / 2
-
         places = np.concatenate([np.array(each, int) for each in self.bent_at])
         variables = places[:, None] + np.arange(2)
-        limits = ca.repmat(self.named["curvature_limit"], 1, len(places))
-        rows = np.array(self.bend_rows)
-        self._add_hessian(variables, self._map_bounds(left, variables, limits, rows))
+        limit = self.named["curvature_limit"]
+        self._bounds(bend_left, variables, limit, np.array(self.bend_rows))
