@@ -137,14 +137,16 @@ class Writer:
 
     def _summed_hessian(self):
         """Blocks that share a place are summed; one product with a constant matrix does that and sorts."""
-        size, values = self.numbers.size, ca.vertcat(*(term[-1] for term in self.bent_terms))
-        begins = np.cumsum([0, *(term[-1].numel() for term in self.bent_terms)])
-        places = np.concatenate([(c * size + r).ravel() for r, c, _, _ in self.bent_terms])
-        which = np.concatenate([(w + b).ravel() for b, (_, _, w, _) in zip(begins, self.bent_terms)])
-        there, where = np.unique(places, return_inverse=True)
-        sums = ca.DM.triplet(
-            where.tolist(), which.tolist(), ca.DM.ones(len(which)), len(there), values.numel()
-        )
+        size, begin = self.numbers.size, 0
+        places, which = [], []
+        for rows, columns, from_which, values in self.bent_terms:
+            places.append((columns * size + rows).ravel())
+            which.append((begin + from_which).ravel())
+            begin += values.numel()
+        there, where = np.unique(np.concatenate(places), return_inverse=True)
+        which, values = np.concatenate(which), ca.vertcat(*(term[-1] for term in self.bent_terms))
+        ones, shape = ca.DM.ones(len(which)), (len(there), begin)
+        sums = ca.DM.triplet(where.tolist(), which.tolist(), ones, *shape)
         columns, rows = np.divmod(there, size)
         return from_triplets((size, size), rows, columns, sums @ values)
 

@@ -74,9 +74,8 @@ def test_fatrop_is_faster_than_ipopt(table_1):
         name: sum(seconds for (solver, _), seconds in best.items() if solver == name)
         for name in ("fatrop", "ipopt")
     }
-    # The aim is a half; `./run bench` measures it. Evaluating the functions, which both share, is most of fatrop's
-    # time, and on a machine with other work it grows most: 0.4 to 0.7 was seen.
-    assert spent["fatrop"] < 0.85 * spent["ipopt"]
+    # 0.36 on a quiet machine.
+    assert spent["fatrop"] < 0.5 * spent["ipopt"]
 
 
 def test_a_time_limit_ends_the_search(table_1):
