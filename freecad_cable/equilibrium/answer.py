@@ -46,9 +46,7 @@ def solution(problem, trial) -> Solution:
     )
     depth = problem.surroundings.deepest(shape) * length
     status, message = _verdict(scene, trial, check, violation, depth)
-    if status.success and (
-        sentence := through_itself(scene, arc_length, position, shape.quaternion, nodes)
-    ):
+    if status.success and (sentence := _in_itself(problem.own.depths(shape), length)):
         status, message = Status.INACCURATE, f"{Status.INACCURATE.value} {sentence}"
     return Solution(
         scene=scene,
@@ -104,9 +102,13 @@ def through_itself(scene, arc_length, position, quaternion, support_nodes) -> st
     held += [len(arc_length) - 1] * (not isinstance(scene.end, Free))
     radius = scene.rod.radius
     found = self_penetrations(arc_length, position, quaternion, radius, sorted(held))
-    if not found or found[0][0] < DEEP * radius:
+    return _in_itself([each for each in found if each[0] > DEEP * radius])
+
+
+def _in_itself(found, unit=1.0):
+    if not found:
         return None
-    depth, here, there = found[0]
+    depth, here, there = unit * np.array(found[0])
     return (
         f"The cable runs through itself at {here:.3g} m and {there:.3g} m, {depth:.2g} m deep, and no equilibrium was "
         "found in which it does not; change its length or what holds it."

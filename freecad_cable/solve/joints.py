@@ -70,7 +70,7 @@ def _flux(law, y):
     """(H, its derivative (1, 12)) of a state (13,)."""
     frame = rotation.matrix(y[3:7])
     force, moment = frame.T @ y[7:10], frame.T @ y[10:]
-    curvature = law.curvature(moment[None])[0]
+    curvature = law.curvature(moment)
     strain = curvature - law.natural
     slope = frame @ (np.array([0, 0, 1.0]) + law.shear * force)
     kappa = frame @ curvature

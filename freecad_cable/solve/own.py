@@ -6,6 +6,7 @@ the other the other exerts on it, so both move: links are rows between distant s
 """
 
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -86,14 +87,16 @@ class Own:
 
     def __init__(self, scene, scaling):
         self.scene, self.radius = scene, scene.rod.radius / scaling.length
+        self._seen = WeakKeyDictionary()
 
     def depths(self, shape):
         """Places where a shape is in itself by more than it may: (depth, arc length, other arc length), deepest
-        first."""
-        found = self_penetrations(
-            shape.arc_length, shape.position, shape.quaternion, self.radius, self._held(shape)
-        )
-        return [each for each in found if each[0] > PENETRATION * self.radius]
+        first. Asked for often of one shape."""
+        if shape not in self._seen:
+            nodes = shape.arc_length, shape.position, shape.quaternion
+            found = self_penetrations(*nodes, self.radius, self._held(shape))
+            self._seen[shape] = [each for each in found if each[0] > PENETRATION * self.radius]
+        return self._seen[shape]
 
     def _held(self, shape):
         ends = [(self.scene.start, 0), (self.scene.end, len(shape.arc_length) - 1)]

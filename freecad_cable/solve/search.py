@@ -104,7 +104,6 @@ def _kinked(problem, trial, limit):
 def _free(problem, warm):
     """As if there were no obstacles."""
     elements = problem.scene.options.elements
-    first = _first_mesh(problem)
     found = None
     if warm is not None:
         places = [warm.arc_length[joint.node] for joint in warm.joints]
@@ -113,7 +112,7 @@ def _free(problem, warm):
         if found is not None and not found.stable:
             found = None
     if found is None:
-        for trial in _attempts(problem, first):
+        for trial in _attempts(problem, _first_mesh(problem)):
             trial = off_saddle(problem, trial)
             if found is None or _better(trial, found):
                 found = trial

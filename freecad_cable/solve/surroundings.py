@@ -128,6 +128,8 @@ class Surroundings:
     def between(self, shape: Shape) -> np.ndarray:
         """(n,) smallest gap over each element, its inside included; infinite where no obstacle is within twice the
         distance to keep. Asked for often of one shape."""
+        if not self.obstacles:
+            return np.full(len(shape.steps), np.inf)
         if shape not in self._seen:
             self._seen[shape] = self._between(shape, 2 * self.keep)
         return self._seen[shape]

@@ -50,8 +50,8 @@ class YieldingProgram:
         """(rows,) the same of a gap: fatrop wants next states in it as they are"""
         for state, row in zip(nlp.states[1:], nlp.gaps, strict=True):
             self._carried[row + np.arange(len(state))] = self._strain[state]
-        self._first_order = ca.Function("first", [nlp.x, nlp.p], [nlp.gradient, nlp.jacobian])
         self._write(nlp)
+        self._unpriced = self._write_unpriced(nlp)
 
     def _write(self, nlp):
         count, rows = nlp.p.numel(), self.rows
@@ -126,14 +126,19 @@ class YieldingProgram:
     def prices(self, x, parameters, multipliers) -> np.ndarray:
         """λ₀ that belong to a start with known multipliers of the gaps: those that leave least of the Lagrangian's
         gradient over the variables of their equations."""
-        gradient, jacobian = self._first_order(x, parameters)
-        jacobian = jacobian.sparse()
-        known = multipliers.copy()
-        known[self.rows] = 0.0
-        own = jacobian.tocsr()[self.rows]
-        columns = np.unique(own.indices)
-        left = (gradient.full().ravel() + jacobian.T @ known)[columns]
-        return np.linalg.lstsq(own[:, columns].toarray().T, -left, rcond=None)[0]
+        slopes, left = self._unpriced(x, parameters, multipliers)
+        return np.linalg.lstsq(slopes.full().T, -left.full().ravel(), rcond=None)[0]
+
+    def _write_unpriced(self, nlp):
+        """(x, p, multipliers) → Jacobian of the equations that yield over their variables, and the Lagrangian's
+        gradient over these without the multipliers of those equations."""
+        own, lam = nlp.jacobian[self.rows.tolist(), :], nlp.multipliers[1]
+        columns = np.unique(own.sparsity().get_triplet()[1]).tolist()
+        known = ca.DM.ones(lam.shape)
+        known[self.rows.tolist()] = 0
+        left = (nlp.gradient + nlp.jacobian.T @ (known * lam))[columns]
+        slopes = ca.densify(own[:, columns])
+        return ca.Function("unpriced", [nlp.x, nlp.p, lam], [slopes, left])
 
 
 def _largest(values):

@@ -58,10 +58,8 @@ def multipliers(nlp: Nlp, shape: Shape, weight) -> np.ndarray:
     along = along - np.einsum("kji,kj->ki", frames, along)
     pulled = 2 * (along * shape.force[1:]).sum(axis=1) + shape.steps * (along @ weight)
     norm = np.append(np.cumsum(pulled[::-1])[::-1], 0.0)
-    for k, row in enumerate(nlp.gaps):
-        lam[row : row + 3] = shape.force[k + 1]
-        turning = 2 * shape.moment[k + 1] @ spins[k + 1]
-        lam[row + 3 : row + 7] = turning + norm[k + 1] * shape.quaternion[k + 1]
+    turning = 2 * np.einsum("ki,kij->kj", shape.moment, spins) + norm[:, None] * shape.quaternion
+    lam[nlp.gaps[:, None] + np.arange(7)] = np.hstack([shape.force, turning])[1:]
     return lam
 
 
