@@ -3,9 +3,9 @@
 
     r' = R (e₃ + γ),  q' = ½ q ∘ κ,  n' = −w,  m' = −r' × n,  κ = κ⁰ + K⁻¹ Rᵀ m,  γ = C Rᵀ n
 
-A state y (13,) is position, quaternion, force, moment; a change of it (12,) has a turn in the world's frame in place of the
-quaternion's. A law (13,) is compliance of κ1, κ2, τ, γ1, γ2, ε (0: rigid), natural curvature, weight, and the largest
-curvature.
+A state y (13,) is position, quaternion, force, moment; a change of it (12,) has a turn in the world's frame in place of
+the quaternion's. A law (13,) is compliance of κ1, κ2, τ, γ1, γ2, ε (0: rigid), natural curvature, weight, and the
+largest curvature.
 """
 
 from functools import lru_cache

@@ -1,41 +1,80 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether an equilibrium is a minimum: the second variation of the energy on admissible variations.
 
-Two readings of the same Hessian. ``proven`` runs the Riccati recursion of the program backwards with a
-penalty on the end conditions: if every pivot is positive the second variation is (Finsler's lemma), and most
-answers pass at the cost of some small matrices. Where it does not pass, ``lowest_mode`` decides by the smallest
-eigenvalue and gives the variation that leaves a saddle.
+Two readings of the same Hessian. ``proven`` adds a penalty on all rows that hold: if that matrix, a band, has a
+Cholesky factor, the second variation is positive (Finsler's lemma), and most answers pass. Where it has none,
+``lowest_mode`` decides by the smallest eigenvalue and gives the variation that leaves a saddle.
 """
 
+from functools import lru_cache
+
+import casadi as ca
 import numpy as np
 from scipy.linalg import eigh, null_space, qr
-from scipy.linalg.lapack import dpotrf, dtrtrs
+from scipy.linalg.lapack import dpbtrf
 from scipy.sparse import csr_matrix
 
-from ..transcription.nlp import Nlp
+from ..transcription.nlp import Nlp, build
 
 ZERO = 1e-6
 """Smallest eigenvalue, relative to the largest, that counts as negative below. A circle of solutions
 (a symmetric cable that may turn) has eigenvalues of about 1e-12; an unstable cable a step past its critical
 load has more than this in all cases of the tests."""
-PENALTY = 1e5
-"""On the conditions of ends and supports, against elastic energies of order one; larger values lose digits, smaller
-ones prove less."""
+PENALTY = 1e8
+"""On the rows that hold, against elastic energies of order one; larger values lose digits, smaller ones prove less (of
+144 scenes of `benchmarks/extreme.py`, 1e6 left ten more to ``lowest_mode`` than 1e8, and 1e9 two fewer)."""
+
+
+def proven(nlp: Nlp, x, parameters, multipliers, acting) -> bool:
+    """Whether the second variation is shown to be positive; False proves nothing. ``acting`` (rows,): the rows that
+    hold; the others are bounds that do not act."""
+    if nlp.structure.links:
+        return False
+    scale = _scale(nlp, parameters)
+    weights = np.where(acting, PENALTY, 0.0)
+    # Next states in their own scale: the gap of a soft strain counts as much as that of a stiff one.
+    rows = nlp.gaps[:, None] + np.arange(nlp.states.shape[1])
+    weights[rows] /= scale[nlp.states[1:]] ** 2
+    evaluate, (above, column), width = _penalised(nlp.structure)
+    values = evaluate(x, parameters, multipliers, weights, scale)
+    band = np.zeros((width, len(x)))
+    band[above, column] = values.full().ravel()
+    return dpbtrf(band, lower=1, overwrite_ab=1)[1] == 0
+
+
+@lru_cache(maxsize=64)
+def _penalised(structure):
+    """Function (x, p, λ, weights of rows, scale of variables) → nonzeros of the lower triangle of the Hessian of the
+    Lagrangian with a penalty on rows, where they go in a band, and its width."""
+    nlp = build(structure)
+    factor, lam = nlp.multipliers
+    weights, scale = ca.MX.sym("w", lam.shape), ca.MX.sym("s", nlp.x.shape)
+    matrix = nlp.hessian + nlp.jacobian.T @ ca.diag(weights) @ nlp.jacobian
+    matrix = ca.substitute(ca.tril(matrix), factor, 1)
+    rows, columns = (np.array(index) for index in matrix.sparsity().get_triplet())
+    values = scale[rows.tolist()] * matrix.nz[:] * scale[columns.tolist()]
+    function = ca.Function("penalised", [nlp.x, nlp.p, lam, weights, scale], [values])
+    return function, (rows - columns, columns), int((rows - columns).max()) + 1
+
+
+def _scale(nlp, parameters):
+    """Of the variables: 1/√stiffness of strains. Then all elastic energies are alike, and one stiff in stretch or twist
+    does not hide another that buckles."""
+    softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])
+    return np.where(nlp.numbers.strain_of >= 0, softness[nlp.numbers.strain_of], 1.0)
 
 
 class SecondVariation:
-    """Hessian and Jacobian of a converged program as dense blocks, one a stage, strains scaled by 1/√stiffness:
-    then all elastic energies are alike, and one stiff in stretch or twist does not hide another that buckles."""
+    """Hessian and Jacobian of a converged program as dense blocks, one a stage, scaled (see ``_scale``)."""
 
     def __init__(self, nlp: Nlp, x, parameters, multipliers, acting):
-        """``acting`` (rows,): the rows that hold; the others are bounds that do not act."""
+        """``acting`` as for ``proven``."""
         values = nlp.second_variation(x, parameters, 1.0, multipliers)
         hessian, jacobian = (
             (*place, value.full().ravel()) for place, value in zip(nlp.places, values, strict=True)
         )
         self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
-        softness = 1 / np.sqrt(parameters[list(nlp.structure.strains)])
-        self.scale = np.where(nlp.numbers.strain_of >= 0, softness[nlp.numbers.strain_of], 1.0)
+        self.scale = _scale(nlp, parameters)
         self.columns = np.concatenate([[0], np.cumsum(self.nx + self.nu)])
         self.gaps = np.append(self.nx[1:], 0)
         rows = np.concatenate([[0], np.cumsum(self.gaps + ng)])
@@ -69,34 +108,6 @@ class SecondVariation:
             values = values * self.scale[row]
         blocks[stage, row - starts[stage], col - self.columns[stage]] = values
         return blocks
-
-    def proven(self) -> bool:
-        """Whether the Riccati recursion shows the second variation to be positive; False proves nothing."""
-        if self.links is not None:
-            return False
-        nx = self.nx[-1]
-        end = self.rows[-1, : self.sides[-1], :nx]
-        p = self.curvature[-1, :nx, :nx] + PENALTY * end.T @ end
-        try:
-            for k in range(len(self.nx) - 2, -1, -1):
-                nx, own = self.nx[k], self.nx[k] + self.nu[k]
-                # Gap rows: next state in its own scale, minus what this stage leads to.
-                lead = -self.rows[k, : self.gaps[k], :own] / self._next_scale(k)
-                h = self.curvature[k, :own, :own] + lead.T @ p @ lead
-                side = self._side(k, own)
-                if k == 0:
-                    free = null_space(side) if len(side) else np.eye(own)
-                    np.linalg.cholesky(free.T @ h @ free)
-                    return True
-                if len(side):
-                    h += PENALTY * side.T @ side
-                factor, failed = dpotrf(h[nx:, nx:], lower=1)
-                if failed:
-                    return False
-                half, _ = dtrtrs(factor, h[nx:, :nx], lower=1)
-                p = h[:nx, :nx] - half.T @ half
-        except np.linalg.LinAlgError:
-            return False
 
     def _side(self, k, own):
         """Rows of a stage beside its gap, over its variables; zero for bounds that do not act."""

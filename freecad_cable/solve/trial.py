@@ -135,16 +135,14 @@ class Trial:
         short = np.diff(ends) < (1 + 1e-3) * SHORTEST
         return tuple(int(j) for j in np.flatnonzero(structure.sliding) if short[j : j + 2].any())
 
-    @cached_property
-    def _second_variation(self):
-        return stability.SecondVariation(
-            self.nlp, self.raw.x, self.parameters, self.raw.multipliers, self.acting
-        )
+    @property
+    def _program(self):
+        return self.nlp, self.raw.x, self.parameters, self.raw.multipliers, self.acting
 
     @cached_property
     def lowest_mode(self):
         """(relative eigenvalue, variation of the decision vector)"""
-        return self._second_variation.lowest_mode()
+        return stability.SecondVariation(*self._program).lowest_mode()
 
     def swayed(self, size) -> Shape:
         """Its nodes moved along the least stable variation, the one that moves most by ``size`` (negative for the
@@ -157,7 +155,7 @@ class Trial:
 
     @cached_property
     def stable(self) -> bool:
-        return self._second_variation.proven() or self.lowest_mode[0] > -stability.ZERO
+        return stability.proven(*self._program) or self.lowest_mode[0] > -stability.ZERO
 
 
 @dataclass
