@@ -129,17 +129,25 @@ def _heard(spent):
             self.solver = solver
 
         def __call__(self, **inputs):
-            return self.solver(**inputs)
+            # Evaluations are summed over all calls of a solver.
+            self.before, begin = self.evaluation(), time.perf_counter()
+            answer = self.solver(**inputs)
+            self.whole = time.perf_counter() - begin
+            return answer
+
+        def evaluation(self):
+            said = self.solver.stats()
+            return sum(said[name] for name in said if name.startswith("t_wall_nlp_"))
 
         def stats(self):
             said = self.solver.stats()
-            evaluation = sum(said[name] for name in said if name.startswith("t_wall_nlp_"))
+            evaluation = self.evaluation() - self.before
             own = said["fatrop"]["time_total"]
             direction = said["fatrop"]["compute_sd_time"]
             spent[EVALUATION] += evaluation
             spent[DIRECTION] += direction
             spent[ITERATION] += own - evaluation - direction
-            spent[AROUND] += said["t_wall_total"] - own
+            spent[AROUND] += self.whole - own
             return said
 
     built = backend.built

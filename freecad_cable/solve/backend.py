@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 from ..transcription.nlp import Nlp, build
+from ..transcription.numeric import Numeric
 from ..transcription.structure import Structure
 from .yielding import RUNAWAY, YieldingProgram, derivatives
 
@@ -93,7 +94,8 @@ def built(structure: Structure, name: str, near: bool = False):
                 **(NEAR if near else {}),
             },
         }
-        return ca.nlpsol("rod_fatrop", name, form.program, options | {"cache": form.derivatives})
+        options["cache"] = form.derivatives
+        return Numeric(ca.nlpsol("rod_fatrop", name, form.program, options))
     options["ipopt"] = {
         "print_level": 0,
         "sb": "yes",
@@ -108,7 +110,7 @@ def built(structure: Structure, name: str, near: bool = False):
         bent={"triu_hess_gamma_x_x": ca.triu(nlp.hessian)},
     )
     program = {"x": nlp.x, "g": nlp.g, "f": nlp.f, "p": nlp.p}
-    return ca.nlpsol("rod_ipopt", name, program, options)
+    return Numeric(ca.nlpsol("rod_ipopt", name, program, options))
 
 
 @lru_cache(maxsize=128)
@@ -134,10 +136,10 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
         nonlocal iterations
         # A cable that ran away is told with all its numbers.
         with contextlib.redirect_stderr(io.StringIO()):
-            answer = solver(x0=start, lam_g0=known, p=given, lbg=0.0, ubg=upper)
+            x, *_, lam, _ = solver(x0=start, lam_g0=known, p=given, lbg=0.0, ubg=upper)
         stats = solver.stats()
         iterations += int(stats["iter_count"])
-        return bool(stats["success"]), answer["x"].full().ravel(), answer["lam_g"].full().ravel()
+        return bool(stats["success"]), x, lam
 
     if name == "ipopt":
         success, x, multipliers = asked(x0, parameters, multipliers)

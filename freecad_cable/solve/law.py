@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 from ..transcription.across import across
+from ..transcription.numeric import Numeric
 
 SUBSTEPS = 3
 """Runge–Kutta steps in an element: leaves 1/3⁴ of an order-4 element's own error unseen."""
@@ -31,18 +32,18 @@ class Law:
 
     def curvature(self, moment):
         """(3,) curvature and twist from the moment in the material frame (3,)."""
-        return _Equations.curvature_of(self._limited)(moment, self._given).full().ravel()
+        return _Equations.curvature_of(self._limited)(moment, self._given)[0]
 
     def rate(self, y):
         """(n, 13) derivatives y' of states (n, 13)."""
-        return _Equations.rate_of(self._limited)(y.T, self._given).full().T
+        (found,) = _rates(self._limited, len(y))(y, self._given[None])
+        return found
 
     def elements(self, before, after, steps):
         """(P, Q) (n, 12, 12) and defects (n, 12) of elements between the states at their nodes: a change a at the first
         node arrives at the last as b, P b = Q a; the defect is what the last is more than where the equations lead."""
-        evaluate = _across_elements(self._limited, len(steps))
-        found = evaluate(before, after, steps, self._given[None])
-        p, q, defects = (each.full() for each in found)
+        evaluate = _elements(self._limited, len(steps))
+        p, q, defects = evaluate(before, after, steps, self._given[None])
         return (p.reshape(-1, 12, 12), q.reshape(-1, 12, 12)), defects
 
 
@@ -58,13 +59,8 @@ class _Equations:
     @lru_cache
     def curvature_of(limited):
         law, moment = _Equations(limited), ca.SX.sym("m", 3)
-        return ca.Function("curvature", [moment, law.given], [law.curvature(moment)[0]])
-
-    @staticmethod
-    @lru_cache
-    def rate_of(limited):
-        law, y = _Equations(limited), ca.SX.sym("y", 13)
-        return ca.Function("rate", [y, law.given], [law.rate(y)])
+        function = ca.Function("curvature", [moment, law.given], [law.curvature(moment)[0]])
+        return Numeric(function)
 
     def curvature(self, moment):
         """Curvature, and its change (3, 3) with the moment. Where the rod is held at the limit, κ minimises its energy
@@ -156,6 +152,17 @@ def _element(limited):
 
 
 @lru_cache(maxsize=64)
-def _across_elements(limited, count):
-    symbols = [ca.MX.sym("v", *shape) for shape in ((count, 13), (count, 13), (count, 1), (1, 13))]
-    return ca.Function("elements", symbols, across(_element(limited), *symbols))
+def _elements(limited, count):
+    return _over(_element(limited), (count, 13), (count, 13), (count, 1), (1, 13))
+
+
+@lru_cache(maxsize=64)
+def _rates(limited, count):
+    law, y = _Equations(limited), ca.SX.sym("y", 13)
+    function = ca.Function("rate", [y, law.given], [law.rate(y)])
+    return _over(function, (count, 13), (1, 13))
+
+
+def _over(function, *shapes):
+    symbols = [ca.MX.sym("v", *shape) for shape in shapes]
+    return Numeric(ca.Function(function.name(), symbols, across(function, *symbols)))

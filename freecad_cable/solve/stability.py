@@ -15,6 +15,7 @@ from scipy.linalg.lapack import dpbtrf
 from scipy.sparse import csr_matrix
 
 from ..transcription.nlp import Nlp, build
+from ..transcription.numeric import Numeric
 
 ZERO = 1e-6
 """Smallest eigenvalue, relative to the largest, that counts as negative below. A circle of solutions
@@ -36,9 +37,9 @@ def proven(nlp: Nlp, x, parameters, multipliers, acting) -> bool:
     rows = nlp.gaps[:, None] + np.arange(nlp.states.shape[1])
     weights[rows] /= scale[nlp.states[1:]] ** 2
     evaluate, (above, column), width = _penalised(nlp.structure)
-    values = evaluate(x, parameters, multipliers, weights, scale)
+    (values,) = evaluate(x, parameters, multipliers, weights, scale)
     band = np.zeros((width, len(x)))
-    band[above, column] = values.full().ravel()
+    band[above, column] = values
     return dpbtrf(band, lower=1, overwrite_ab=1)[1] == 0
 
 
@@ -54,7 +55,7 @@ def _penalised(structure):
     rows, columns = (np.array(index) for index in matrix.sparsity().get_triplet())
     values = scale[rows.tolist()] * matrix.nz[:] * scale[columns.tolist()]
     function = ca.Function("penalised", [nlp.x, nlp.p, lam, weights, scale], [values])
-    return function, (rows - columns, columns), int((rows - columns).max()) + 1
+    return Numeric(function), (rows - columns, columns), int((rows - columns).max()) + 1
 
 
 def _scale(nlp, parameters):
@@ -71,7 +72,7 @@ class SecondVariation:
         """``acting`` as for ``proven``."""
         values = nlp.second_variation(x, parameters, 1.0, multipliers)
         hessian, jacobian = (
-            (*place, value.full().ravel()) for place, value in zip(nlp.places, values, strict=True)
+            (*place, value) for place, value in zip(nlp.places, values, strict=True)
         )
         self.nx, self.nu, ng = (np.array(column) for column in zip(*nlp.stage_sizes, strict=True))
         self.scale = _scale(nlp, parameters)

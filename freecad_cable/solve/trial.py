@@ -70,7 +70,7 @@ class Trial:
     @cached_property
     def energies(self) -> np.ndarray:
         """(4,) bending, torsion, stretch, gravity without units"""
-        return self.nlp.energy_function(self.raw.x, self.parameters).full().ravel()
+        return self.nlp.energy_function(self.raw.x, self.parameters)[0]
 
     @property
     def energy(self) -> float:
@@ -90,7 +90,7 @@ class Trial:
     @cached_property
     def acting(self) -> np.ndarray:
         """(rows,) whether a row holds: an equation, or a bound that pushes harder than it is far."""
-        left = self.nlp.rows_function(self.raw.x, self.parameters).full().ravel()
+        (left,) = self.nlp.rows_function(self.raw.x, self.parameters)
         push = -self.raw.multipliers
         return self.nlp.equality | ((push > ACTING) & (push > left))
 

@@ -17,6 +17,7 @@ import casadi as ca
 import numpy as np
 
 from ..transcription.nlp import Nlp
+from ..transcription.numeric import Numeric
 from ..transcription.writer import from_triplets
 
 RIGIDITY = 1e10
@@ -127,7 +128,8 @@ class YieldingProgram:
         """λ₀ that belong to a start with known multipliers of the gaps: those that leave least of the Lagrangian's
         gradient over the variables of their equations."""
         slopes, left = self._unpriced(x, parameters, multipliers)
-        return np.linalg.lstsq(slopes.full().T, -left.full().ravel(), rcond=None)[0]
+        slopes = slopes.reshape(len(self.rows), len(left))
+        return np.linalg.lstsq(slopes.T, -left, rcond=None)[0]
 
     def _write_unpriced(self, nlp):
         """(x, p, multipliers) → Jacobian of the equations that yield over their variables, and the Lagrangian's
@@ -138,7 +140,7 @@ class YieldingProgram:
         known[self.rows.tolist()] = 0
         left = (nlp.gradient + nlp.jacobian.T @ (known * lam))[columns]
         slopes = ca.densify(own[:, columns])
-        return ca.Function("unpriced", [nlp.x, nlp.p, lam], [slopes, left])
+        return Numeric(ca.Function("unpriced", [nlp.x, nlp.p, lam], [slopes, left]))
 
 
 def _largest(values):

@@ -98,7 +98,7 @@ def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
     moment = np.vstack([np.zeros(3), moment])
     firsts = [0, *structure.joints]
     lengths = np.diff(arc_length)[firsts][:, None]
-    means = nlp.mean_function(x, parameters).full().T
+    means = nlp.mean_function(x, parameters)[0].reshape(3, -1).T
     beyond = [node + 1 for node in firsts]
     leaving = force[beyond] + lengths * weight
     turning = (

@@ -10,6 +10,7 @@ import numpy as np
 from . import supports
 from .element_functions import SCHEMES
 from .numbering import Numbering
+from .numeric import Numeric
 from .structure import Structure
 from .writer import PARAMETERS, Writer
 
@@ -57,21 +58,22 @@ class Nlp:
 
     @cached_property
     def energy_function(self):
-        return ca.Function("energies", [self.x, self.p], [self.energies])
+        return Numeric(ca.Function("energies", [self.x, self.p], [self.energies]))
 
     @cached_property
     def mean_function(self):
-        return ca.Function("means", [self.x, self.p], [self.means])
+        return Numeric(ca.Function("means", [self.x, self.p], [self.means]))
 
     @cached_property
     def rows_function(self):
-        return ca.Function("rows", [self.x, self.p], [self.g])
+        return Numeric(ca.Function("rows", [self.x, self.p], [self.g]))
 
     @cached_property
     def second_variation(self):
         """(x, p, λ_f, λ) → nonzeros of the Hessian of λ_f f + λ·g, and of the Jacobian of the rows."""
         inputs = [self.x, self.p, *self.multipliers]
-        return ca.Function("second_variation", inputs, [self.hessian.nz[:], self.jacobian.nz[:]])
+        outputs = [self.hessian.nz[:], self.jacobian.nz[:]]
+        return Numeric(ca.Function("second_variation", inputs, outputs))
 
     @cached_property
     def places(self):
