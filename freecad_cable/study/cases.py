@@ -5,6 +5,7 @@ What is drawn for a case follows from seed and number of the case, and each case
 the rows do not depend on who solves them and in which order.
 """
 
+from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
@@ -25,6 +26,9 @@ MOST_CORNERS = 16
 CHUNK = 16
 """Cases that go to a worker at a time: some tenths of a second, against which sending scene and solution is
 nothing."""
+AHEAD = 256
+"""Chunks that wait for workers at most: enough for as many of them, and few enough to be called back in a second where
+each costs a message."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,10 +100,14 @@ def run(
         for chunk in chunks:
             yield from (_row(*chunk[:3], index) for index in range(*chunk[3:]))
         return
-    futures = [executor.submit(solve_chunk, *chunk) for chunk in chunks]
+    futures = deque()
     try:
-        for future in futures:
-            yield from future.result()
+        for chunk in chunks:
+            futures.append(executor.submit(solve_chunk, *chunk))
+            if len(futures) >= AHEAD:
+                yield from futures.popleft().result()
+        while futures:
+            yield from futures.popleft().result()
     finally:
         for future in futures:
             future.cancel()

@@ -128,6 +128,28 @@ def test_who_wants_no_more_rows_stops_the_rest():
     # The pool has come to its end long before 100,000 cases.
 
 
+def test_few_cases_wait_for_workers_and_their_rows_keep_their_order(monkeypatch):
+    monkeypatch.setattr(cases, "CHUNK", 2)
+    monkeypatch.setattr(cases, "AHEAD", 2)
+    scene = nominal()
+    drawn = random_cases(varied(scene), 9, 5)
+    waiting = []
+
+    class Counting(ThreadPoolExecutor):
+        def submit(self, *task):
+            future = super().submit(*task)
+            waiting.append(future)
+            return future
+
+    with Counting(1) as executor:
+        rows = run(scene, drawn, executor=executor)
+        first = next(rows)
+        assert len(waiting) == 2
+        found = [first, *rows]
+    assert [row.values for row in found] == [drawn.values(i) for i in range(9)]
+    assert len(waiting) == 5
+
+
 def test_a_case_that_is_no_scene_is_a_row():
     scene = nominal()
     short = Variation(Parameter(field="cable.length"), 0.1, 0.2)
