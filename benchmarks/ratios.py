@@ -10,6 +10,7 @@ from benchmarks.measure import Race, Work
 from benchmarks.peers.asked import DYNAMIC, GIVEN, MODULES, OWN, PAPER, SEED, SOLVE_BVP, STATIC
 from benchmarks.peers.parent import OURS, Peer
 from benchmarks.scaling import Drag, Scaling
+from benchmarks.studies import PATH, Study
 
 ERROR = 1e-4
 """Relative position error at which peers are compared."""
@@ -91,6 +92,10 @@ def _ourselves():
         yield "warm drag step over cold solve, Table 1", "at most 0.25", f"{share:.2f}"
         steps = median(d.iterations for d in drags)
         yield "iterations of a warm drag step, median", "under 3", f"{steps:g}"
+    for row in stored.read(Study):
+        if row.what == PATH:
+            ratio = f"{row.seconds / row.cold:.1f}"
+            yield f"study of {row.values} values over cold solve, Table 1", "at most 25", ratio
     for scheme in ("magnus", "helix"):
         times = {r.elements: r.cold for r in stored.read(Scaling) if r.scheme == scheme}
         if times:

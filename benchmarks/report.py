@@ -6,7 +6,7 @@ from statistics import median
 
 import numpy as np
 
-from benchmarks import plot, ratios, report_extreme, report_times, stored
+from benchmarks import plot, ratios, report_extreme, report_studies, report_times, stored
 from benchmarks.cases import CASES, DRAG, TABLE_1
 from benchmarks.left_out import LeftOut
 from benchmarks.markdown import dash, ends, milliseconds, outcome, table
@@ -14,6 +14,7 @@ from benchmarks.measure import Mesh, Race, Work
 from benchmarks.profile_solve import Part
 from benchmarks.runs import Run
 from benchmarks.scaling import Drag, Scaling
+from benchmarks.studies import Study
 
 SHORT = (1e-4, 1e-6)
 """Tolerances of the short tables; all are in the rows."""
@@ -44,6 +45,7 @@ def write():
         *report_times.drags(stored.read(Drag)),
         *report_times.profile(stored.read(Part)),
         *_left_out(stored.read(LeftOut)),
+        *report_studies.section(stored.read(Study)),
         *report_extreme.section(),
     ]
     text = "\n\n".join(sections) + "\n"

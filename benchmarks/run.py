@@ -12,7 +12,7 @@ from pathlib import Path
 # Run by its path, it would find neither itself nor the package.
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from benchmarks import left_out, machine, plot, profile_solve, report, scaling, stored
+from benchmarks import left_out, machine, plot, profile_solve, report, scaling, stored, studies
 from benchmarks.cases import CASES, TABLE_1
 from benchmarks.exact import Exact
 from benchmarks.extreme import families, random_scenes
@@ -72,6 +72,10 @@ def _peers(say, exact):
     yield from parent.rows(say)
 
 
+def _studies(say, exact):
+    yield from studies.rows(say)
+
+
 def _extreme(say, exact):
     yield from outcomes(families(), TRUTHS)
     say("random scenes")
@@ -88,6 +92,7 @@ PARTS = {
     "left-out": _left_out,
     "peers": _peers,
     "extreme": _extreme,
+    "studies": _studies,
 }
 
 

@@ -12,6 +12,7 @@ from benchmarks.peers.parent import Peer
 from benchmarks.profile_solve import Part
 from benchmarks.runs import Run
 from benchmarks.scaling import Drag, Scaling
+from benchmarks.studies import Study
 
 FOLDER = Path(__file__).resolve().parents[1] / "docs" / "benchmarks"
 FILES = {
@@ -24,6 +25,7 @@ FILES = {
     Peer: "peers.csv",
     Outcome: "extreme.csv",
     Part: "profile.csv",
+    Study: "studies.csv",
     Run: "runs.csv",
 }
 
