@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which equations yield to fatrop: those of ends and supports, and no others."""
+
+import pytest
+from test_derivatives import STRUCTURES
+
+from freecad_cable.solve.yielding import YieldingProgram
+from freecad_cable.transcription.nlp import build
+from freecad_cable.transcription.writer import Writer
+
+
+@pytest.mark.parametrize("structure", STRUCTURES, ids=str)
+def test_what_holds_the_cable_beyond_its_start_yields(structure):
+    held = Writer(structure).held_rows
+    nlp = build(structure)
+    expected = [row for stage in sorted(held) if stage for row in held[stage] if nlp.equality[row]]
+    assert YieldingProgram(nlp).rows.tolist() == expected
