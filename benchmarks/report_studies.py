@@ -2,7 +2,7 @@
 """The report on studies."""
 
 from benchmarks.markdown import dash, milliseconds, table
-from benchmarks.studies import HERE, PATH, TOLERANCE, Study
+from benchmarks.studies import ALONE, CASES, HERE, PATH, ROUNDS, TOLERANCE, Study
 
 
 def section(rows: list[Study]):
@@ -15,7 +15,6 @@ def section(rows: list[Study]):
         "cases",
         "way",
         "workers",
-        "other load",
         "seconds",
         "cases a second",
         "of one process",
@@ -25,17 +24,17 @@ def section(rows: list[Study]):
     yield table(
         heads,
         [
-            (row.values, row.way, row.workers, f"{row.load:.1f}", f"{row.seconds:.0f}")
+            (row.values, row.way, row.workers, f"{row.seconds:.0f}")
             + (f"{1 / row.each:.1f}", f"{alone.each / row.each:.2f}", row.solved)
             + (dash(row.different),)
             for row in random
         ],
     )
     yield (
-        f"Random cases of [tolerance.json](../tolerance.json), the same for all. One process solves the first "
-        f"{alone.values} of them, and its throughput is that of these; a case takes it {alone.each / alone.cold:.2f} "
-        f"of a cold solve, which is {milliseconds(alone.cold)} ms. Seconds hold the start of the workers. *Rows that "
-        "differ*: bit by bit from those of the line above, as far as both have them."
+        f"Random cases of [tolerance.json](../tolerance.json), the same for all, in {ROUNDS} rounds in each of which "
+        f"every way has its turn. One process solves the first {ALONE} of a round's {CASES}; "
+        f"a case takes it {alone.each / alone.cold:.2f} of a cold solve, which is {milliseconds(alone.cold)} ms. "
+        "*Rows that differ*: bit by bit from those of the line above, of as many as both have."
     )
     for row in rows:
         if row.what == PATH:

@@ -7,9 +7,9 @@ import os
 import tempfile
 import time
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from statistics import median
 
 import numpy as np
@@ -19,10 +19,14 @@ from benchmarks.cases import seed_paper
 from benchmarks.machine import CHECKOUT
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.study import Parameter, follow, random_cases, run
+from freecad_cable.study.cases import CHUNK
 from freecad_cable.study.study_file import ToleranceStudy, read_study
 
-CASES, ALONE = 10_000, 1_000
-"""Random cases, and how many of them, the first, one process is given: its time grows in proportion."""
+ROUNDS, CASES, ALONE = 10, 1_000, 100
+"""Rounds, random cases in each, and how many of these, the first, one process is given: its time grows in
+proportion."""
+WARM = 4 * CHUNK
+"""Cases for each worker before its time counts."""
 LENGTHS = np.linspace(0.5, 0.9, 100)
 """[m] The path: lengths of the cable of Table 1."""
 COLD = 20
@@ -43,11 +47,9 @@ class Study:
     """cases, or values of a path"""
     solved: int
     seconds: float
-    """until the last row is there, the start of the workers included"""
+    """with workers that have started and built their solvers"""
     cold: float
     """median of cold solves of the same scenes, solvers built"""
-    load: float
-    """[processes] on this machine at the start, a mean of a minute"""
     different: int | None = None
     """rows unlike those of the way before, as far as both have them"""
 
@@ -59,7 +61,7 @@ class Study:
 
 def rows(say) -> Iterator[Study]:
     """``say`` is told what comes."""
-    yield from tolerance(documented(), CASES, ALONE, say)
+    yield from tolerance(documented(), ROUNDS, CASES, ALONE, say)
     say(f"studies: a path of {len(LENGTHS)} values")
     yield path(LENGTHS)
 
@@ -73,29 +75,62 @@ def documented() -> ToleranceStudy:
     return read_study(load("tolerance.json"), load)
 
 
-def tolerance(study: ToleranceStudy, count: int, alone: int, say) -> Iterator[Study]:
-    """A row for each way to solve ``count`` cases; one process solves the first ``alone`` of them."""
-    scene, variations, seed = study.scene, study.cases.variations, study.cases.seed
-    start, before = find_equilibrium(scene), None
-    nearby = random_cases(variations, COLD, seed)
-    cold = _cold([nearby.scene(scene, index) for index in range(COLD)])
+def tolerance(study: ToleranceStudy, rounds: int, count: int, alone: int, say) -> Iterator[Study]:
+    """A row for each way to solve ``count`` cases in each of some rounds; one process solves the first ``alone`` of
+    them. In rounds, because other work on the machine comes and goes, and it is the ratios that count."""
+    start, seed = find_equilibrium(study.scene), study.cases.seed
+    some = random_cases(study.cases.variations, COLD, seed)
+    cold = _cold([some.scene(study.scene, index) for index in range(COLD)])
     workers = os.cpu_count()
-    ways = (
-        (HERE, 1, alone, nullcontext()),
-        (PROCESSES, workers, count, _processes(workers)),
-        (DASK, workers, count, _cluster(workers)),
-    )
-    for way, workers, number, executor in ways:
-        say(f"studies: {number} cases, {way}")
-        cases = random_cases(variations, number, seed)
-        load, begin = os.getloadavg()[0], time.perf_counter()
-        with executor as given:
-            found = list(run(scene, cases, start=start, executor=given))
-            seconds = time.perf_counter() - begin
-        solved = sum(row.solved for row in found)
-        different = before and sum(a != b for a, b in zip(before, found, strict=False))
-        yield Study(TOLERANCE, way, workers, number, solved, seconds, cold, load, different)
-        before = found
+    with _processes(workers) as pool, _cluster(workers) as cluster:
+        ways = (
+            _Way(HERE, 1, alone, None),
+            _Way(PROCESSES, workers, count, pool),
+            _Way(DASK, workers, count, cluster),
+        )
+        for way in ways:
+            # Workers start, and build what is to be built.
+            way.solve(study, start, seed, WARM * way.workers)
+        for k in range(rounds):
+            say(f"studies: {count} cases, round {k + 1} of {rounds}")
+            for way in ways:
+                found, seconds = way.solve(study, start, seed + k, way.count)
+                way.rounds.append(found)
+                way.seconds += seconds
+    before = None
+    for way in ways:
+        rows = [row for found in way.rounds for row in found]
+        solved = sum(row.solved for row in rows)
+        different = None if before is None else _different(before.rounds, way.rounds)
+        yield Study(
+            TOLERANCE, way.name, way.workers, len(rows), solved, way.seconds, cold, different
+        )
+        before = way
+
+
+@dataclass
+class _Way:
+    """A way to solve cases, and what it has solved."""
+
+    name: str
+    workers: int
+    count: int
+    """of cases in a round"""
+    executor: Executor | None
+    rounds: list = field(default_factory=list)
+    seconds: float = 0.0
+
+    def solve(self, study, start, seed, count):
+        cases = random_cases(study.cases.variations, count, seed)
+        begin = time.perf_counter()
+        found = list(run(study.scene, cases, start=start, executor=self.executor))
+        return found, time.perf_counter() - begin
+
+
+def _different(rounds, others):
+    """Of rows that both have."""
+    pairs = (pair for both in zip(rounds, others, strict=True) for pair in zip(*both, strict=False))
+    return sum(one != other for one, other in pairs)
 
 
 def _processes(workers):
@@ -127,11 +162,11 @@ def path(lengths) -> Study:
 
     every = max(1, len(lengths) // COLD)
     cold = _cold([scene_at(value) for value in lengths[::every]])
-    load, begin = os.getloadavg()[0], time.perf_counter()
+    begin = time.perf_counter()
     steps = list(follow(scene_at, lengths))
     seconds = time.perf_counter() - begin
     solved = sum(step.solved for step in steps)
-    return Study(PATH, HERE, 1, len(steps), solved, seconds, cold, load)
+    return Study(PATH, HERE, 1, len(steps), solved, seconds, cold)
 
 
 def _cold(scenes):
