@@ -158,10 +158,12 @@ def _heard(spent):
 def table(parts: list[Part]) -> str:
     """Milliseconds, a column for each solve, the sum, and how far it is from what fatrop needs."""
     solves = list(dict.fromkeys(row.solve for row in parts))
+    # Those that are stored: the solver may have others by now.
+    names = list(dict.fromkeys(row.part for row in parts))
     at = {(row.solve, row.part): 1e3 * row.seconds for row in parts}
     lines = [("[ms]", *solves), ("---", *("---:" for _ in solves))]
-    lines += [(part, *(f"{at[solve, part]:.2f}" for solve in solves)) for part in PARTS]
-    wholes = [sum(at[solve, part] for part in PARTS) for solve in solves]
+    lines += [(part, *(f"{at[solve, part]:.2f}" for solve in solves)) for part in names]
+    wholes = [sum(at[solve, part] for part in names) for solve in solves]
     needs = [sum(at[solve, part] for part in FATROP) for solve in solves]
     lines.append(("**whole**", *(f"{whole:.2f}" for whole in wholes)))
     ratios = [f"{whole / need:.1f}" for whole, need in zip(wholes, needs, strict=True)]

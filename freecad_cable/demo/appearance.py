@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 from ..document.cable import Cable
 from ..document.proxy import proxy_of
 from ..document.route import Route
+from ..document.study import Study
 from .colours import COLOURS, METAL
 
 
@@ -45,7 +46,7 @@ def seen(document):
             )
         elif obj.TypeId == "Part::Feature":
             yield obj, {"ShapeColor": METAL, "LineColor": "#7d8892"}
-        elif obj.TypeId == "App::Part" or proxy_of(obj, Route):
+        elif obj.TypeId == "App::Part" or proxy_of(obj, Route) or proxy_of(obj, Study):
             yield obj, {}
 
 

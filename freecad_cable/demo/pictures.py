@@ -12,9 +12,12 @@ import numpy as np
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 
+from ..study.colours import STOPS
 from .colours import COLOURS
 
 METAL, EDGE, LIMIT, GREY = "#8fa3b5", "#54606b", "#b00020", "0.25"
@@ -31,6 +34,9 @@ WIDTH = 0.5
 """Points of a line for a millimetre of diameter: about to scale."""
 
 DOTS_PER_INCH = 92
+
+FAMILY_PANELS = ("Smallest bend radius [mm]", "End force [N]", "Energy [J]")
+"""Heads of the spreadsheet of a study whose numbers are drawn."""
 
 plt.rcParams.update(
     {
@@ -82,6 +88,45 @@ def picture_curvature(path, title, comparisons, columns):
     figure.tight_layout(rect=(0, 0.3 / size[1], 1, 1))
     figure.savefig(path, dpi=DOTS_PER_INCH)
     plt.close(figure)
+
+
+def picture_family(path, family, parts, view):
+    """The shapes of a study, coloured by their values, beside what it recorded."""
+    azimuth, elevation, zoom = view
+    colours = ScalarMappable(
+        Normalize(min(family.values), max(family.values)),
+        LinearSegmentedColormap.from_list("family", STOPS),
+    )
+    figure = plt.figure(figsize=(11.2, 6.2))
+    axes = figure.add_axes((0, 0.02, 0.56, 0.94), projection="3d", computed_zorder=False)
+    axes.view_init(elevation, azimuth)
+    _draw_equipment(axes, parts)
+    for value, line in zip(family.values, family.lines, strict=True):
+        axes.plot(*line.T, color=colours.to_rgba(value), lw=1.8, zorder=10)
+    _frame(axes, family.lines, parts, zoom)
+    scale = figure.colorbar(colours, cax=figure.add_axes((0.575, 0.12, 0.012, 0.76)))
+    scale.set_label(family.name)
+    grid = figure.add_gridspec(3, 1, left=0.69, right=0.985, top=0.93, bottom=0.09, hspace=0.38)
+    panels = grid.subplots(sharex=True)
+    for panel, head in zip(panels, FAMILY_PANELS, strict=True):
+        _draw_numbers(panel, family, head, colours)
+    panels[0].axhline(family.allowed, color=LIMIT, lw=1.2, label="allowed")
+    panels[0].legend(loc="upper right", frameon=False)
+    panels[-1].set_xlabel(family.name)
+    figure.suptitle(family.title, y=0.985, fontsize=12)
+    figure.savefig(path, dpi=DOTS_PER_INCH)
+    plt.close(figure)
+
+
+def _draw_numbers(axes, family, head, colours):
+    """A number of each value; a line where the cable jumps to another shape."""
+    numbers = family.numbers(head)
+    axes.plot(family.values, numbers, color=GREY, lw=1, zorder=1)
+    axes.scatter(family.values, numbers, c=colours.to_rgba(family.values), s=14, zorder=2)
+    for jump in family.jumps:
+        axes.axvline(jump, color=LIMIT, lw=0.8, ls=DASHED)
+    axes.set_title(head, loc="left", fontsize=9)
+    axes.grid(True)
 
 
 def _colour(k):

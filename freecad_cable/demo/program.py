@@ -12,14 +12,19 @@ import FreeCAD
 import Import
 import Part
 
+from ..document import studying
 from ..errors import CableError, DocumentError
 from . import equipment, satellite, table, table_1
 from .appearance import add_appearance
 from .comparison import compare
-from .pictures import picture_curvature, picture_shapes
+from .family import Family
+from .pictures import picture_curvature, picture_family, picture_shapes
 
 SCENES = {"table-1": table_1, "equipment": equipment, "satellite": satellite}
 """Name of the files: module that builds the document."""
+
+FAMILIES = {"table-1": [table_1.family]}
+"""Name of the files: functions that make studies of the cables."""
 
 
 def main(arguments):
@@ -79,10 +84,24 @@ def _run(name, folder, say):
             say("")
             for line in textwrap.wrap(table.claim(comparisons), 100):
                 say(f"  {line}")
+        families = [_family(make, document, cables, say) for make in FAMILIES.get(name, ())]
         say("\n  writing the files")
-        return _write(folder / name, scene, document, cables, comparisons)
+        files = _write(folder / name, scene, document, cables, comparisons)
+        for family in families:
+            files += _write_family(folder / name, scene, document, family)
+        return files
     finally:
         FreeCAD.closeDocument(document.Name)
+
+
+def _family(make, document, cables, say):
+    """A study, run. Errors: ``DocumentError``."""
+    begin = time.monotonic()
+    study = make(document, cables)
+    studying.run(study)
+    family = Family.of(study)
+    say(f"\n  {study.Label}: {len(family.values)} values, {time.monotonic() - begin:.2f} s")
+    return family
 
 
 def _check(cable, route):
@@ -98,15 +117,25 @@ def _write(stem, scene, document, cables, comparisons):
     """The files, named ``stem`` and more."""
     ends = (".FCStd", ".step", ".csv", "-shapes.png", "-curvature.png")
     store, step, rows, shapes, curvature = files = [stem.with_name(stem.name + end) for end in ends]
-    parts = scene.parts(document)
     store.unlink(missing_ok=True)  # or FreeCAD keeps a copy beside it
     document.saveAs(str(store))
     add_appearance(store, document)
-    Import.export([*parts, *cables], str(step))
+    Import.export([*scene.parts(document), *cables], str(step))
     table.write_csv(rows, comparisons)
-    solids = [solid for part in parts for solid in Part.getShape(part).Solids]
-    picture_shapes(shapes, scene.TITLE, comparisons, solids, scene.VIEW)
+    picture_shapes(shapes, scene.TITLE, comparisons, _solids(scene, document), scene.VIEW)
     picture_curvature(
         curvature, "Curvature of the same cables and routes", comparisons, scene.COLUMNS
     )
     return files
+
+
+def _write_family(stem, scene, document, family):
+    """The files of a study."""
+    rows, picture = (stem.with_name(f"{stem.name}-family{end}") for end in (".csv", ".png"))
+    family.write_csv(rows)
+    picture_family(picture, family, _solids(scene, document), scene.VIEW)
+    return [rows, picture]
+
+
+def _solids(scene, document):
+    return [solid for part in scene.parts(document) for solid in Part.getShape(part).Solids]

@@ -27,6 +27,9 @@ SHORTEST = False
 LENGTHS = (550, 640, 730, 820)
 """[mm]"""
 
+FAMILY = 500, 900, 41
+"""First and last length [mm] of the family, and how many."""
+
 START = (0, 0, 0), (0.7071, 0.7071, 0, 0)
 END = (0.16, -0.235, 0.33), (0.5, 0.5, 0.5, 0.5)
 """Position [m] and Euler parameters, scalar first, of the section; its third axis runs along the cable."""
@@ -56,6 +59,15 @@ def build(document):
         cable = make.cable(document, start=start, end=end, cable_type=kind, length=f"{length} mm")
         cable.Label = f"{length} mm"
         yield cable, make.route(document, cable)
+
+
+def family(document, cables):
+    """The study of one of the cables over its length, not yet run."""
+    cable = cables[LENGTHS.index(730)]
+    first, last, count = FAMILY
+    study = make.study(document, cable, varied="Length", start=first, stop=last, count=count)
+    study.Label = "The same cable from 500 to 900 mm"
+    return study
 
 
 def parts(document):

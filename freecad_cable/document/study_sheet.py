@@ -2,6 +2,7 @@
 """The rows of a study as a native spreadsheet, and as a drawing."""
 
 import math
+from itertools import count, takewhile
 
 import numpy as np
 
@@ -53,6 +54,24 @@ def write(study, names, rows):
     if len(rows) > LAST:
         sheet.set(f"A{LAST + 2}", f"'and {len(rows) - LAST} more")
     sheet.recompute()
+
+
+def columns(study) -> dict[str, list[str]]:
+    """What the spreadsheet of a study says: heads, and the cells under each as text. Where the length is varied two
+    columns say it; that is one here."""
+
+    def text(column, row):
+        said = study.Sheet.getContents(f"{_letters(column)}{row}").lstrip("'=")
+        try:
+            return _number(float(said))  # without the digits that FreeCAD adds
+        except ValueError:
+            return said
+
+    found = {}
+    lines = next(row for row in count(2) if not text(0, row))
+    for column in takewhile(lambda column: text(column, 1), count()):
+        found[text(column, 1)] = [text(column, row) for row in range(2, lines)]
+    return found
 
 
 def _cells(row):

@@ -20,6 +20,7 @@ from freecad_cable.demo.program import main
 from freecad_cable.document.cable import Cable
 from freecad_cable.document.proxy import proxy_of
 from freecad_cable.document.route import Route
+from freecad_cable.document.study import Study
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.problem import Clamped, Rod, Scene
 
@@ -61,6 +62,7 @@ class DemoTest(unittest.TestCase):
         self.assertEqual(status, 0)
         ends = (".FCStd", ".step", ".csv", "-shapes.png", "-curvature.png")
         expected = {name + end for name in CONTENTS for end in ends}
+        expected |= {"table-1-family.csv", "table-1-family.png"}
         self.assertEqual({path.name for path in folder.iterdir()}, expected)
         for path in folder.glob("*.png"):
             self.assertEqual(path.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
@@ -159,7 +161,11 @@ class DemoTest(unittest.TestCase):
                 self.assertEqual(int(views.get("Count")), len(views))
                 seen = {view.get("name") for view in views}
                 solids = {obj.Name for obj in document.Objects if obj.TypeId == "Part::Feature"}
-                self.assertLessEqual(solids | {obj.Name for pair in pairs for obj in pair}, seen)
+                studies = {obj.Name for obj in document.Objects if proxy_of(obj, Study)}
+                self.assertEqual(len(studies), name == "table-1")
+                self.assertLessEqual(
+                    solids | studies | {obj.Name for pair in pairs for obj in pair}, seen
+                )
 
     def test_table_1_is_the_problem_of_the_paper(self):
         """The same answer as from a scene written by hand in SI units."""

@@ -26,7 +26,7 @@ class ReadmeTest(DocumentTest):
         self.doc.recompute()
         edges = {"Edge7": TOP, "Face2": TOP, "Edge15": hole, "Edge3": circle}
         macros = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
-        self.assertEqual(len(macros), 2)
+        self.assertEqual(len(macros), 3)
         printed = io.StringIO()
         for macro in macros:
             macro = re.sub("|".join(edges), lambda found: edges[found.group()], macro)
@@ -34,6 +34,8 @@ class ReadmeTest(DocumentTest):
                 exec(macro, names)
             cable = names["cable"]
             self.assertTrue(cable.isValid(), cable.Status)
+        self.assertEqual(len(names["study"].DrawnValues), 9)
+        self.assertEqual(names["within"].Status, "")
         self.assertGreater(cable.SolvedLength.Value, 200)
         self.assertLess(cable.SolvedLength.Value, 400)
         self.assertEqual(len(cable.SupportForces), 2)
