@@ -35,9 +35,11 @@ FAINT = 0.01
 """Share of the largest force of a place below which a node is not taken to touch."""
 FIRST = 64
 """Elements of the first mesh."""
-MESHES = (96, 96, 128, 128, 192, 256)
+MESHES = (96, 96, 128, 128, 192, 256, 256, 256)
 LOST = 0.02
 """Change from mesh to mesh that is no refinement."""
+FARTHEST_AHEAD = 4.0
+"""How far ahead, in lengths of the last step, a contact is taken to come to rest."""
 NARROWEST = 3e-5
 """Shortest elements, relative to the length, that nodes gather to; with shorter ones the solvers fail."""
 GATHER = 6.0
@@ -129,23 +131,28 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
 def _coarser(problem, trial, warm) -> float:
     """How much longer the elements are where contact begins and ends now than the finest were, which are those where it
     began and ended before: the error goes with them."""
-    steps = trial.shape.steps
-    places = _places(problem, trial)
-    here = np.searchsorted(trial.shape.arc_length, places).clip(1, len(steps) - 1)
-    return max(1.0, np.maximum(steps[here - 1], steps[here]).max() / warm.steps.min())
+    return max(1.0, _fineness(trial.shape, _places(problem, trial)) / warm.steps.min())
+
+
+def _fineness(shape, places) -> float:
+    """Longest of the elements at some places."""
+    steps = shape.steps
+    here = np.searchsorted(shape.arc_length, places).clip(1, len(steps) - 1)
+    return np.maximum(steps[here - 1], steps[here]).max()
 
 
 def _gathered(problem, found):
     """On meshes whose nodes gather where contact begins and ends, until the shape stays."""
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
-    found, width, expected = found.measured_as(np.inf), 1 / FIRST, 0.0
+    found, width, expected, path = found.measured_as(np.inf), 1 / FIRST, 0.0, []
     try:
         for elements in MESHES:
-            before, width = width, max(width / GATHER, NARROWEST)
-            places = _places(problem, found)
-            if not places:
+            width = max(width / GATHER, NARROWEST)
+            places, grips = _looked_up(problem, found)
+            if not len(places):
                 return found.measured_as(None)  # touches nothing, so the strong form holds
-            start = found.shape.on(mesh.gathered(found.shape, elements, places, width))
+            before, path = _fineness(found.shape, places), [*path, (places, grips)][-2:]
+            start = found.shape.on(mesh.gathered(found.shape, elements, _ahead(path), width))
             finer = _settled(problem, start, BESIDE, fallback=True)
             if finer is None:
                 return found
@@ -156,7 +163,9 @@ def _gathered(problem, found):
             if change > LOST and found.measured < LOST:
                 return found  # the finer one has left for another equilibrium
             # A node may lie well by chance, and then the change tells too little: the error goes with the elements.
-            expected = max(expected, change) * width / before
+            there = _places(problem, finer)
+            finer_by = _fineness(finer.shape, there) / before if len(there) else 1.0
+            expected = max(expected, change) * min(finer_by, 1.0)
             error = max(change, CHANCE * expected)
             found = finer.measured_as(error)
             deep = (
@@ -170,13 +179,37 @@ def _gathered(problem, found):
     return found
 
 
+def _ahead(path):
+    """Where contacts come to rest, from the last two times that they were looked up: (places, grips), see
+    ``_looked_up``. A node
+    on a round edge or a ball is pushed across that, and so nearly along the cable if the cable touches beside it: mesh
+    by mesh, the cable slides until nothing is left of that."""
+    (before, held), (last, holds) = path[0], path[-1]
+    if len(before) != len(last):
+        return last
+    gone, eased = last - before, holds - held
+    step = np.divide(-holds * gone, eased, out=np.zeros_like(gone), where=eased != 0)
+    known = np.isfinite(step) & (np.abs(step) < FARTHEST_AHEAD * np.abs(gone))
+    return np.clip(last + np.where(known, step, 0.0), 0.0, 1.0)
+
+
 def _places(problem, trial):
     """Arc lengths where contact begins or ends, or is at a point."""
+    return _looked_up(problem, trial)[0]
+
+
+def _looked_up(problem, trial):
+    """``_places``, and of each what obstacles push along the cable there, which is nothing in an equilibrium; NaN where
+    that does not tell where the contact comes to rest."""
     around_it, s = problem.surroundings, trial.shape.arc_length
-    force = np.linalg.norm(trial.contact_forces, axis=2).sum(axis=1)
-    places = []
-    for a, b in runs(force > 0):
-        places += _ends(s[a:b], force[a:b])
+    forces = trial.contact_forces.sum(axis=1)
+    size, along = np.linalg.norm(trial.contact_forces, axis=2).sum(axis=1), trial.frames[:, :, 2]
+    grips = (forces * along).sum(axis=1)
+    places, found = [], []
+    for a, b in runs(size > 0):
+        ends = _ends(s[a:b], size[a:b])
+        places += ends
+        found += [grips[a:b].sum()] if len(ends) == 1 else [np.nan, np.nan]
     touches = trial.with_itself
     force = np.linalg.norm(touches.forces, axis=1)
     for place in touches.places(problem.own.radius):
@@ -187,7 +220,8 @@ def _places(problem, trial):
     if around_it.deepest(trial.shape):
         worst = int(np.argmin(around_it.between(trial.shape)))
         places.append((s[worst] + s[worst + 1]) / 2)
-    return places
+    found += [np.nan] * (len(places) - len(found))
+    return np.array(places), np.array(found)
 
 
 def _ends(arc_length, force):

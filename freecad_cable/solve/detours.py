@@ -2,24 +2,38 @@
 """Starts for a cable whose free shape goes through an obstacle.
 
 The nearest equilibrium is looked for first: from the free shape, swayed a little the way in which it is softest, for a
-cable that is lifted or pushed aside exactly in its own plane is caught on a saddle. Where that ends nowhere, the slack
-goes another way, past the obstacles rather than through them.
+cable that is lifted or pushed aside exactly in its own plane is caught on a saddle. Then pulled aside where it is
+deepest inside, for a thin plate that it crosses pushes the nodes on either side apart. Where that ends nowhere, the
+slack goes another way, past the obstacles rather than through them.
 """
+
+from itertools import product
 
 import numpy as np
 
 from ..geometry import rotation
+from ..geometry.runs import runs
 from ..problem import Clamped, Free
 from ..transcription.guess import guess, rolled
 from . import mesh
 
 SWAY = 0.03
 """First displacement, in lengths: enough to break a symmetry, too little to change sides."""
+PULLS = (0.05, 0.1, 0.15, 0.2, 0.3)
+"""Displacements, in lengths, by which it is pulled aside; the least that are enough."""
+PULLED_ALONG = 0.15
+"""Part of the length that goes along."""
+WAYS = 3
+"""Directions in which it is pulled aside."""
 FARTHER = (0.1, -0.1, 0.25, -0.25)
 SAGS = (60.0, 250.0)
 """Loads that pull it there, without units."""
 MOST = 8
 """Starts of the second kind that are tried, those that are least inside obstacles first."""
+
+
+AXES = np.array([axis for axis in product((-1, 0, 1), repeat=3) if any(axis)])
+"""Directions, of all signs."""
 
 
 def detours(problem, trial, elements):
@@ -34,10 +48,11 @@ def detours(problem, trial, elements):
         yield on(shape)
     if isinstance(problem.scene.start, Free) or isinstance(problem.scene.end, Free):
         yield on(_laid(problem, trial.shape))
+    for shape in _pulled_aside(problem, trial.shape):
+        yield on(shape)
     others = [trial.swayed(size) for size in FARTHER]
     if problem.scene.spans:
-        axes = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
-        axes = axes[np.isin(np.abs(axes).sum(axis=1), (1, 3))]
+        axes = AXES[np.isin(np.abs(AXES).sum(axis=1), (1, 3))]
         nodes = mesh.uniform(mesh.COARSE, problem.breaks)
         for sag in SAGS:
             for axis in axes / np.linalg.norm(axes, axis=1)[:, None]:
@@ -64,10 +79,34 @@ def _laid(problem, shape):
             ahead = (place - laid[-1]) / max(np.linalg.norm(place - laid[-1]), 1e-12)
             place = laid[-1] + step * ahead
         laid.append(place)
-    position = np.array(laid)[order]
-    tangent = np.gradient(position, shape.arc_length, axis=0)
+    return _through(problem, shape.arc_length, np.array(laid)[order])
+
+
+def _pulled_aside(problem, shape):
+    """The shape with the part that is deepest inside pulled past the obstacle, the nearest ways."""
+    around, s = problem.surroundings, shape.arc_length
+    gap = around.between(shape)
+    inside = max(runs(gap < 0), key=lambda run: -gap[slice(*run)].min(), default=None)
+    if inside is None:
+        return
+    middle = (s[inside[0]] + s[inside[1]]) / 2
+    share = np.exp(-(((s - middle) / PULLED_ALONG) ** 2)) * np.minimum(1, 10 * np.minimum(s, 1 - s))
+    for pull in PULLS:
+        found = []
+        for axis in AXES / np.linalg.norm(AXES, axis=1)[:, None]:
+            pulled = _through(problem, s, shape.position + pull * share[:, None] * axis)
+            found.append((around.intrusion(pulled), pulled))
+        clear = [pulled for intrusion, pulled in found if intrusion == 0]
+        if clear:
+            yield from clear[:WAYS]
+            return
+
+
+def _through(problem, arc_length, position):
+    """A guess through places (n+1, 3)."""
+    tangent = np.gradient(position, arc_length, axis=0)
     tangent /= np.linalg.norm(tangent, axis=1)[:, None]
-    start = scene.start
+    start = problem.scene.start
     first = start.quaternion if isinstance(start, Clamped) else rotation.from_tangent(tangent[0])
     frames = rotation.transport(first, tangent)
-    return rolled(scene, problem.scaling, shape.arc_length, position, frames)
+    return rolled(problem.scene, problem.scaling, arc_length, position, frames)

@@ -194,7 +194,7 @@ ROUND = {
 @pytest.mark.parametrize("name", ROUND)
 def test_the_estimate_is_no_less_than_the_error(solve, name):
     coarse = solve(ROUND[name])
-    options = replace(coarse.scene.options, tolerance=1e-5)
+    options = replace(coarse.scene.options, tolerance=1e-6)
     best = find_equilibrium(replace(coarse.scene, options=options), start=coarse)
     frames = rotation.tangent(best.quaternion)
     exact = CubicHermiteSpline(best.arc_length, best.position, frames)(coarse.arc_length)

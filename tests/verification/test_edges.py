@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A cable across the edge of a box, and one that a thin plate cuts: neither has a closed form."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicHermiteSpline
+
+from freecad_cable.equilibrium import find_equilibrium
+from freecad_cable.geometry import rotation
+from freecad_cable.options import SolveOptions
+from freecad_cable.problem import Box, Clamped, Rod, Scene
+
+
+def unit(quaternion):
+    return np.array(quaternion) / np.linalg.norm(quaternion)
+
+
+def scene(stiffness, first, place, last, box):
+    bend = {"bending_stiffness": stiffness, "torsional_stiffness": 2e-3}
+    return Scene(
+        rod=Rod(length=0.6, radius=0.004, mass_per_length=0.06, **bend),
+        start=Clamped([0, 0, 0], unit(first), place="start"),
+        end=Clamped(place, unit(last)),
+        gravity=[0, 0, -9.81],
+        obstacles=[box],
+    )
+
+
+ACROSS = scene(
+    4e-3,
+    [0.743, 0.253, 0.62, 0],
+    [0.189, 0.481, 0.163],
+    [0.681, 0.701, 0.213, 0],
+    Box([0.105, 0.318, 0.085], unit([0.681, 0.317, -0.521, -0.405]), [0.09, 0.057, 0.078]),
+)
+CUT = scene(
+    4e-4,
+    [0.687, -0.192, 0.701, 0],
+    [0.161, 0.247, -0.09],
+    [0.762, 0.622, 0.18, 0],
+    Box([0.093, 0.263, -0.242], unit([-0.185, 0.678, 0.665, -0.251]), [0.1, 0.1, 0.002]),
+)
+
+
+def test_a_cable_slides_along_an_edge_until_nothing_pushes_it_along():
+    solution = find_equilibrium(ACROSS).raise_for_status()
+    options = SolveOptions(tolerance=1e-5)
+    best = find_equilibrium(replace(ACROSS, options=options), start=solution)
+    frames = rotation.tangent(best.quaternion)
+    exact = CubicHermiteSpline(best.arc_length, best.position, frames)(solution.arc_length)
+    error = np.linalg.norm(exact - solution.position, axis=1).max()
+    assert error <= solution.position_error + best.position_error
+
+
+def test_a_cable_that_a_plate_cuts_goes_around_it():
+    solution = find_equilibrium(CUT).raise_for_status()
+    (contact,) = solution.contacts
+    assert np.linalg.norm(contact.force) > 1e-3
+    assert solution.min_clearance == pytest.approx(0, abs=0.01 * CUT.rod.radius)
