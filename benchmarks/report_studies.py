@@ -34,7 +34,8 @@ def section(rows: list[Study]):
         f"Random cases of [tolerance.json](../tolerance.json), the same for all, in {ROUNDS} rounds in each of which "
         f"every way has its turn. One process solves the first {ALONE} of a round's {CASES}; "
         f"a case takes it {alone.each / alone.cold:.2f} of a cold solve, which is {milliseconds(alone.cold)} ms. "
-        "*Rows that differ*: bit by bit from those of the line above, of as many as both have."
+        "*Rows that differ*: bit by bit from those of the line above, of as many as both have. Workers share the "
+        "processors with the *other load* above, so they come as near to their number as processors are free."
     )
     for row in rows:
         if row.what == PATH:
