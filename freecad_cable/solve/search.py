@@ -109,8 +109,10 @@ def _free(problem, warm):
         places = [warm.arc_length[joint.node] for joint in warm.joints]
         nodes = mesh.uniform(elements, places) if elements else warm.arc_length
         found = problem.solve(warm.on(nodes))
-        if found is not None and not found.stable:
-            found = None
+        if found is not None:
+            # What buckles on its way goes where it falls to, with the turns that it has.
+            found = off_saddle(problem, found)
+            found = found if found.stable else None
     if found is None:
         for trial in _attempts(problem, _first_mesh(problem)):
             trial = off_saddle(problem, trial)

@@ -97,5 +97,19 @@ def test_a_twisted_cable_leaves_the_straight_line_at_the_critical_turn():
     assert found[0].after == pytest.approx(exact, rel=0.01)
 
 
+def test_a_twisted_cable_forms_a_loop_and_keeps_its_turns():
+    """Between ends that hardly pull. Clamps do not count turns, so straight with two of them fewer it would be in
+    balance too, with a hundredth of the energy; what is twisted cannot get there."""
+    steps = list(follow(lambda turn: twisted(turn, 0.0, 100.0), np.arange(0.0, 17.0, 1.0)))
+    (jump,) = (jump for step in steps for jump in step.jumps)
+    exact = twist(0.0) / 0.8
+    assert jump.before == pytest.approx(exact, rel=0.01)
+    assert jump.after == pytest.approx(exact, rel=0.01)
+    looped = steps[-1].solution
+    assert np.abs(looped.position[:, 1:]).max() > 0.15
+    straight = 0.8 * steps[-1].value ** 2 / 2
+    assert 0.9 * straight < looped.energy.total < straight
+
+
 def test_no_jump_without_one():
     assert jumps(lambda q: strip(1 - SHORTENING, weight=q), np.linspace(-8, 4, 4)) == []
