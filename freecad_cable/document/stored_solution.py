@@ -92,12 +92,15 @@ def kept(cable, scene: Scene) -> Solution | None:
         return None
     status = Status.CONVERGED
     loads = zip(cable.SupportForces, cable.SupportMoments, strict=True)
+    reactions = [Load(np.array(force), np.array(moment)) for force, moment in loads]
+    # An error since has cleared what a user sees; as a start, no load is near enough.
+    reactions = reactions or [Load(np.zeros(3), np.zeros(3)) for _ in cable.NodeOfSupport]
     return Solution(
         scene=scene,
         status=status,
         message=status.value,
         support_nodes=tuple(cable.NodeOfSupport),
-        support_reactions=tuple(Load(np.array(force), np.array(moment)) for force, moment in loads),
+        support_reactions=tuple(reactions),
         **_arrays(cable),
     )
 

@@ -495,6 +495,10 @@
   <context>
     <name>Cable</name>
     <message>
+      <source>Add the Selection</source>
+      <translation>Auswahl hinzufügen</translation>
+    </message>
+    <message>
       <source>Always, while parts move</source>
       <translation>Immer, während sich Teile bewegen</translation>
     </message>
@@ -559,6 +563,10 @@
       <translation>Hält</translation>
     </message>
     <message>
+      <source>Lead the cable through the supports selected now</source>
+      <translation>Das Kabel durch die gerade ausgewählten Halterungen führen</translation>
+    </message>
+    <message>
       <source>Length</source>
       <translation>Länge</translation>
     </message>
@@ -577,6 +585,14 @@
     <message>
       <source>Moment on the cable</source>
       <translation>Moment auf das Kabel</translation>
+    </message>
+    <message>
+      <source>Nearer to the end of the cable</source>
+      <translation>Näher an das Ende des Kabels</translation>
+    </message>
+    <message>
+      <source>Nearer to the start of the cable</source>
+      <translation>Näher an den Anfang des Kabels</translation>
     </message>
     <message>
       <source>Nothing</source>
@@ -609,6 +625,10 @@
     <message>
       <source>Radius</source>
       <translation>Radius</translation>
+    </message>
+    <message>
+      <source>Remove</source>
+      <translation>Entfernen</translation>
     </message>
     <message>
       <source>Roll</source>
@@ -663,8 +683,16 @@
       <translation>Hält die Lösung aller Kabel an; ihre letzten guten Formen bleiben</translation>
     </message>
     <message>
+      <source>Supports</source>
+      <translation>Halterungen</translation>
+    </message>
+    <message>
       <source>Take the Selection</source>
       <translation>Auswahl übernehmen</translation>
+    </message>
+    <message>
+      <source>The cable passes it by; it stays in the document</source>
+      <translation>Das Kabel geht an ihr vorbei; sie bleibt im Dokument</translation>
     </message>
     <message>
       <source>The cable slides through</source>

@@ -495,6 +495,10 @@
   <context>
     <name>Cable</name>
     <message>
+      <source>Add the Selection</source>
+      <translation>添加所选对象</translation>
+    </message>
+    <message>
       <source>Always, while parts move</source>
       <translation>始终，零件移动时也求解</translation>
     </message>
@@ -559,6 +563,10 @@
       <translation>固定</translation>
     </message>
     <message>
+      <source>Lead the cable through the supports selected now</source>
+      <translation>让线缆穿过当前选中的支撑</translation>
+    </message>
+    <message>
       <source>Length</source>
       <translation>长度</translation>
     </message>
@@ -577,6 +585,14 @@
     <message>
       <source>Moment on the cable</source>
       <translation>对线缆的力矩</translation>
+    </message>
+    <message>
+      <source>Nearer to the end of the cable</source>
+      <translation>更靠近线缆终点</translation>
+    </message>
+    <message>
+      <source>Nearer to the start of the cable</source>
+      <translation>更靠近线缆起点</translation>
     </message>
     <message>
       <source>Nothing</source>
@@ -609,6 +625,10 @@
     <message>
       <source>Radius</source>
       <translation>半径</translation>
+    </message>
+    <message>
+      <source>Remove</source>
+      <translation>移除</translation>
     </message>
     <message>
       <source>Roll</source>
@@ -663,8 +683,16 @@
       <translation>停止所有线缆的求解；保留上一个有效形状</translation>
     </message>
     <message>
+      <source>Supports</source>
+      <translation>支撑</translation>
+    </message>
+    <message>
       <source>Take the Selection</source>
       <translation>采用所选对象</translation>
+    </message>
+    <message>
+      <source>The cable passes it by; it stays in the document</source>
+      <translation>线缆不再经过它；它仍保留在文档中</translation>
     </message>
     <message>
       <source>The cable slides through</source>

@@ -185,6 +185,22 @@ class AnswerTest(SupportedTest):
         self.assertEqual(self.cable.SupportForces, [])
         self.assertNotEqual(self.cable.SolvedInputs, held)
 
+    def test_after_an_error_it_is_solved_again(self):
+        for kind, position in (("ring", {}), ("clamp", {"position": "150 mm"})):
+            with self.subTest(kind):
+                self.support(kind, **position)
+                self.compute()
+                radius, force = self.cable.SmallestBendRadius.Value, self.cable.EndForce
+                self.cable.Length = "50 mm"
+                self.doc.recompute()
+                self.assertFalse(self.cable.isValid())
+                self.assertEqual(self.cable.SupportForces, [])
+                self.cable.Length = "300 mm"
+                self.compute()
+                self.assertNear(self.cable.EndForce, force, 1e-4 * force.Length)
+                self.assertAlmostEqual(self.cable.SmallestBendRadius.Value / radius, 1, delta=1e-3)
+                self.cable.Supports = []
+
     def test_undo_and_copy(self):
         self.doc.UndoMode = 1
         made = self.support("ring")

@@ -6,6 +6,7 @@ import FreeCAD
 from ..selection import has_proxy
 from .inputs import Check, Choice, Link, Number
 from .panel import Panel
+from .supports import Supports
 
 translate = FreeCAD.Qt.translate
 
@@ -23,6 +24,8 @@ class CablePanel(Panel):
         cable = self.object
         types = [obj for obj in self.document.Objects if has_proxy(obj, "CableType")]
         self.add(translate("Cable", "Cable type"), Link(cable, "CableType", types))
+        supports = self.add(translate("Cable", "Supports"), Supports(cable))
+        self.rows.addRow(supports.buttons)
         modes = {
             "Fixed": translate("Cable", "Given"),
             "Slack": translate("Cable", "From the slack"),
