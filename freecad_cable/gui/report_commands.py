@@ -11,6 +11,8 @@ from ..document import report
 from .command import Command
 from .selection import has_proxy
 
+translate = FreeCAD.Qt.translate
+
 PICTURE = 1600, 1000
 """[px] of the window's picture in the report."""
 
@@ -79,4 +81,6 @@ def _folder(document):
     if document.FileName:
         return os.path.dirname(document.FileName)
     window = FreeCADGui.getMainWindow()
-    return QtGui.QFileDialog.getExistingDirectory(window, "Folder for the report")
+    return QtGui.QFileDialog.getExistingDirectory(
+        window, translate("Cable", "Folder for the report")
+    )

@@ -535,6 +535,10 @@
       <translation>Fehlerschätzung</translation>
     </message>
     <message>
+      <source>Folder for the report</source>
+      <translation>Ordner für den Bericht</translation>
+    </message>
+    <message>
       <source>Force and moment at the end</source>
       <translation>Kraft und Moment am Ende</translation>
     </message>
@@ -840,6 +844,477 @@
     <message>
       <source>the first of the document</source>
       <translation>der erste des Dokuments</translation>
+    </message>
+  </context>
+  <context>
+    <name>CableReport</name>
+    <message>
+      <source>All cables</source>
+      <translation>Alle Kabel</translation>
+    </message>
+    <message>
+      <source>Allowance at start and end</source>
+      <translation>Zugabe am Anfang und am Ende</translation>
+    </message>
+    <message>
+      <source>Allowed</source>
+      <translation>Erlaubt</translation>
+    </message>
+    <message>
+      <source>Allowed [mm]</source>
+      <translation>Erlaubt [mm]</translation>
+    </message>
+    <message>
+      <source>Allowed&lt;br&gt;[mm]</source>
+      <translation>Erlaubt&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>As the window shows it</source>
+      <translation>Wie das Fenster es zeigt</translation>
+    </message>
+    <message>
+      <source>Balance of forces and moments</source>
+      <translation>Gleichgewicht der Kräfte und Momente</translation>
+    </message>
+    <message>
+      <source>Bend and clearance</source>
+      <translation>Biegung und Freiraum</translation>
+    </message>
+    <message>
+      <source>Cable</source>
+      <translation>Kabel</translation>
+    </message>
+    <message>
+      <source>Cable type</source>
+      <translation>Kabeltyp</translation>
+    </message>
+    <message>
+      <source>Cable types</source>
+      <translation>Kabeltypen</translation>
+    </message>
+    <message>
+      <source>Cables</source>
+      <translation>Kabel</translation>
+    </message>
+    <message>
+      <source>Cables of {document}</source>
+      <translation>Kabel von {document}</translation>
+    </message>
+    <message>
+      <source>Centre of mass</source>
+      <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+      <source>Centre x [mm]</source>
+      <translation>Schwerpunkt x [mm]</translation>
+    </message>
+    <message>
+      <source>Centre y [mm]</source>
+      <translation>Schwerpunkt y [mm]</translation>
+    </message>
+    <message>
+      <source>Centre z [mm]</source>
+      <translation>Schwerpunkt z [mm]</translation>
+    </message>
+    <message>
+      <source>Clearance [mm]</source>
+      <translation>Freiraum [mm]</translation>
+    </message>
+    <message>
+      <source>Clearance asked for</source>
+      <translation>Verlangter Freiraum</translation>
+    </message>
+    <message>
+      <source>Clearance is the least distance of the cable's surface to any visible solid and any other cable, where one is within 20 mm of it, except where the cable is held. Coordinates, forces and moments are in the coordinates of the document; forces and moments are those of the connectors and supports on the cable.</source>
+      <translation>Der Freiraum ist der kleinste Abstand der Oberfläche des Kabels von sichtbaren Körpern und von anderen Kabeln, wo eines davon näher als 20 mm ist, außer dort, wo das Kabel gehalten wird. Koordinaten, Kräfte und Momente stehen in den Koordinaten des Dokuments; Kräfte und Momente sind die der Stecker und Halterungen auf das Kabel.</translation>
+    </message>
+    <message>
+      <source>Clearance&lt;br&gt;[mm]</source>
+      <translation>Freiraum&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Curvature [1/m] over the distance from the start [mm]; dashed: the spline route</source>
+      <translation>Krümmung [1/m] über dem Abstand vom Anfang [mm]; gestrichelt: der Spline</translation>
+    </message>
+    <message>
+      <source>Cut length</source>
+      <translation>Schnittlänge</translation>
+    </message>
+    <message>
+      <source>Cut length [mm]</source>
+      <translation>Schnittlänge [mm]</translation>
+    </message>
+    <message>
+      <source>Cut length&lt;br&gt;[mm]</source>
+      <translation>Schnittlänge&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Error estimate</source>
+      <translation>Geschätzter Fehler</translation>
+    </message>
+    <message>
+      <source>Error estimate [mm]</source>
+      <translation>Geschätzter Fehler [mm]</translation>
+    </message>
+    <message>
+      <source>Error&lt;br&gt;[mm]</source>
+      <translation>Fehler&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Fails</source>
+      <translation>Hält nicht</translation>
+    </message>
+    <message>
+      <source>Force [N]</source>
+      <translation>Kraft [N]</translation>
+    </message>
+    <message>
+      <source>Force at end [N]</source>
+      <translation>Kraft am Ende [N]</translation>
+    </message>
+    <message>
+      <source>Force at start [N]</source>
+      <translation>Kraft am Anfang [N]</translation>
+    </message>
+    <message>
+      <source>Forces and moments on the cable</source>
+      <translation>Kräfte und Momente auf das Kabel</translation>
+    </message>
+    <message>
+      <source>Holds</source>
+      <translation>Hält</translation>
+    </message>
+    <message>
+      <source>If the strands slip</source>
+      <translation>Wenn die Litzen gleiten</translation>
+    </message>
+    <message>
+      <source>If the strands stick</source>
+      <translation>Wenn die Litzen haften</translation>
+    </message>
+    <message>
+      <source>It bends to {radius} mm; {allowed} mm is allowed.</source>
+      <translation>Es biegt sich auf {radius} mm; erlaubt sind {allowed} mm.</translation>
+    </message>
+    <message>
+      <source>It does not stay in this shape.</source>
+      <translation>Es bleibt nicht in dieser Form.</translation>
+    </message>
+    <message>
+      <source>It enters {other} by {depth} mm.</source>
+      <translation>Es dringt {depth} mm in {other} ein.</translation>
+    </message>
+    <message>
+      <source>It holds, but with {stiffness} it bends to {radius} mm.</source>
+      <translation>Es hält, aber mit {stiffness} biegt es sich auf {radius} mm.</translation>
+    </message>
+    <message>
+      <source>It is out of date; recompute the document.</source>
+      <translation>Es ist veraltet; das Dokument neu berechnen.</translation>
+    </message>
+    <message>
+      <source>It is {distance} mm from {other}; its clearance is {clearance} mm.</source>
+      <translation>Es ist {distance} mm von {other} entfernt; sein Freiraum ist {clearance} mm.</translation>
+    </message>
+    <message>
+      <source>Its bend radius [mm]</source>
+      <translation>Dessen Biegeradius [mm]</translation>
+    </message>
+    <message>
+      <source>Its bend&lt;br&gt;radius [mm]</source>
+      <translation>Dessen Biege-&lt;br&gt;radius [mm]</translation>
+    </message>
+    <message>
+      <source>Its distance to {other} is not known: {reason}</source>
+      <translation>Sein Abstand von {other} ist nicht bekannt: {reason}</translation>
+    </message>
+    <message>
+      <source>Its shape at the bounds of its stiffness is not known: {error}</source>
+      <translation>Seine Form an den Grenzen seiner Steifigkeit ist nicht bekannt: {error}</translation>
+    </message>
+    <message>
+      <source>Largest end&lt;br&gt;force [N]</source>
+      <translation>Größte Kraft am&lt;br&gt;Ende [N]</translation>
+    </message>
+    <message>
+      <source>Largest end&lt;br&gt;moment [N m]</source>
+      <translation>Größtes Moment am&lt;br&gt;Ende [N m]</translation>
+    </message>
+    <message>
+      <source>Least clearance</source>
+      <translation>Kleinster Freiraum</translation>
+    </message>
+    <message>
+      <source>Length</source>
+      <translation>Länge</translation>
+    </message>
+    <message>
+      <source>Length [mm]</source>
+      <translation>Länge [mm]</translation>
+    </message>
+    <message>
+      <source>Length between the terminals</source>
+      <translation>Länge zwischen den Anschlüssen</translation>
+    </message>
+    <message>
+      <source>Length&lt;br&gt;[mm]</source>
+      <translation>Länge&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Margin</source>
+      <translation>Reserve</translation>
+    </message>
+    <message>
+      <source>Margin [%]</source>
+      <translation>Reserve [%]</translation>
+    </message>
+    <message>
+      <source>Margin [mm]</source>
+      <translation>Reserve [mm]</translation>
+    </message>
+    <message>
+      <source>Mass</source>
+      <translation>Masse</translation>
+    </message>
+    <message>
+      <source>Mass [g]</source>
+      <translation>Masse [g]</translation>
+    </message>
+    <message>
+      <source>Mass, and how it was solved</source>
+      <translation>Masse, und wie gelöst wurde</translation>
+    </message>
+    <message>
+      <source>Mass&lt;br&gt;[g]</source>
+      <translation>Masse&lt;br&gt;[g]</translation>
+    </message>
+    <message>
+      <source>Mode</source>
+      <translation>Vorgabe</translation>
+    </message>
+    <message>
+      <source>Model</source>
+      <translation>Modell</translation>
+    </message>
+    <message>
+      <source>Moment [N m]</source>
+      <translation>Moment [N m]</translation>
+    </message>
+    <message>
+      <source>Moment at end [N m]</source>
+      <translation>Moment am Ende [N m]</translation>
+    </message>
+    <message>
+      <source>Moment at start [N m]</source>
+      <translation>Moment am Anfang [N m]</translation>
+    </message>
+    <message>
+      <source>Not solved</source>
+      <translation>Nicht gelöst</translation>
+    </message>
+    <message>
+      <source>Of the spline route</source>
+      <translation>Des Splines</translation>
+    </message>
+    <message>
+      <source>Rounded up by</source>
+      <translation>Aufgerundet um</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translation>Querschnitt</translation>
+    </message>
+    <message>
+      <source>Shortest and longest that will do</source>
+      <translation>Kürzeste und längste, die genügen</translation>
+    </message>
+    <message>
+      <source>Slack</source>
+      <translation>Überlänge</translation>
+    </message>
+    <message>
+      <source>Smallest bend radius</source>
+      <translation>Kleinster Biegeradius</translation>
+    </message>
+    <message>
+      <source>Smallest bend radius [mm]</source>
+      <translation>Kleinster Biegeradius [mm]</translation>
+    </message>
+    <message>
+      <source>Smallest bend&lt;br&gt;radius [mm]</source>
+      <translation>Kleinster Biege-&lt;br&gt;radius [mm]</translation>
+    </message>
+    <message>
+      <source>Solve time [s]</source>
+      <translation>Rechenzeit [s]</translation>
+    </message>
+    <message>
+      <source>Solved in&lt;br&gt;[ms]</source>
+      <translation>Gelöst in&lt;br&gt;[ms]</translation>
+    </message>
+    <message>
+      <source>Spline route</source>
+      <translation>Spline</translation>
+    </message>
+    <message>
+      <source>Spline route [mm]</source>
+      <translation>Spline [mm]</translation>
+    </message>
+    <message>
+      <source>Spline route&lt;br&gt;[mm]</source>
+      <translation>Spline&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Stays in this shape</source>
+      <translation>Bleibt in dieser Form</translation>
+    </message>
+    <message>
+      <source>Straight way [mm]</source>
+      <translation>Gerader Weg [mm]</translation>
+    </message>
+    <message>
+      <source>Straight way over the supports</source>
+      <translation>Gerader Weg über die Halterungen</translation>
+    </message>
+    <message>
+      <source>The document has no cables.</source>
+      <translation>Das Dokument hat keine Kabel.</translation>
+    </message>
+    <message>
+      <source>The spline route is the curve through the same terminals and supports that a drawing would show, without stiffness, weight and given length. Tolerances of the cut length are those of IPC/WHMA-A-620, Table 11-1, as an industry review draft has them.</source>
+      <translation>Der Spline ist die Kurve durch dieselben Anschlüsse und Halterungen, die eine Zeichnung zeigen würde, ohne Steifigkeit, Gewicht und gegebene Länge. Toleranzen der Schnittlänge sind die der Tabelle 11-1 von IPC/WHMA-A-620, wie ein Entwurf zur Durchsicht in der Industrie sie hat.</translation>
+    </message>
+    <message>
+      <source>The worst cable comes first: those without an answer, those that fail, those of which something is not known; among equals the smallest margin. The margin is by how much the smallest bend radius is above the allowed one, relative to that. Bend radii are those of the centreline.</source>
+      <translation>Das schlechteste Kabel kommt zuerst: die ohne Lösung, die nicht halten, die, von denen etwas nicht bekannt ist; unter gleichen das mit der kleinsten Reserve. Die Reserve ist, um wie viel der kleinste Biegeradius über dem erlaubten liegt, bezogen auf diesen. Biegeradien sind die der Mittellinie.</translation>
+    </message>
+    <message>
+      <source>Time of the solve</source>
+      <translation>Rechenzeit</translation>
+    </message>
+    <message>
+      <source>To be checked</source>
+      <translation>Zu prüfen</translation>
+    </message>
+    <message>
+      <source>Together: length {length} mm, cut length {cut} mm, mass {mass} g, centre of mass {centre} mm.</source>
+      <translation>Zusammen: Länge {length} mm, Schnittlänge {cut} mm, Masse {mass} g, Schwerpunkt {centre} mm.</translation>
+    </message>
+    <message>
+      <source>Type</source>
+      <translation>Typ</translation>
+    </message>
+    <message>
+      <source>Verdict</source>
+      <translation>Urteil</translation>
+    </message>
+    <message>
+      <source>What it says</source>
+      <translation>Was dazu zu sagen ist</translation>
+    </message>
+    <message>
+      <source>Where its numbers are from</source>
+      <translation>Woher seine Zahlen sind</translation>
+    </message>
+    <message>
+      <source>allowed</source>
+      <translation>erlaubt</translation>
+    </message>
+    <message>
+      <source>at [mm]</source>
+      <translation>bei [mm]</translation>
+    </message>
+    <message>
+      <source>checked</source>
+      <translation>wird geprüft</translation>
+    </message>
+    <message>
+      <source>en</source>
+      <translation>de</translation>
+    </message>
+    <message>
+      <source>enforced</source>
+      <translation>wird eingehalten</translation>
+    </message>
+    <message>
+      <source>no</source>
+      <translation>nein</translation>
+    </message>
+    <message>
+      <source>not known</source>
+      <translation>nicht bekannt</translation>
+    </message>
+    <message>
+      <source>nothing within 20 mm</source>
+      <translation>nichts näher als 20 mm</translation>
+    </message>
+    <message>
+      <source>of it x, y, z</source>
+      <translation>davon x, y, z</translation>
+    </message>
+    <message>
+      <source>straight</source>
+      <translation>gerade</translation>
+    </message>
+    <message>
+      <source>to</source>
+      <translation>zu</translation>
+    </message>
+    <message>
+      <source>to {residual}, relative</source>
+      <translation>auf {residual}, relativ</translation>
+    </message>
+    <message>
+      <source>yes</source>
+      <translation>ja</translation>
+    </message>
+    <message>
+      <source>{distance} to {nearest}</source>
+      <translation>{distance} zu {nearest}</translation>
+    </message>
+    <message>
+      <source>{obstacle}, at {place}</source>
+      <translation>{obstacle}, bei {place}</translation>
+    </message>
+    <message>
+      <source>{radius} at the centreline</source>
+      <translation>{radius} an der Mittellinie</translation>
+    </message>
+    <message>
+      <source>{radius} at the inside of the bend</source>
+      <translation>{radius} an der Innenseite der Biegung</translation>
+    </message>
+    <message>
+      <source>{radius} at {place}</source>
+      <translation>{radius} bei {place}</translation>
+    </message>
+    <message>
+      <source>{radius}, up to {distance} beside this shape</source>
+      <translation>{radius}, bis zu {distance} neben dieser Form</translation>
+    </message>
+    <message>
+      <source>{type} has no smallest bend radius to compare with.</source>
+      <translation>{type} hat keinen kleinsten Biegeradius zum Vergleichen.</translation>
+    </message>
+    <message>
+      <source>{what}, from a corner</source>
+      <translation>{what}, von schräg oben</translation>
+    </message>
+    <message>
+      <source>{what}, from above</source>
+      <translation>{what}, von oben</translation>
+    </message>
+    <message>
+      <source>{what}, from the front</source>
+      <translation>{what}, von vorn</translation>
+    </message>
+    <message>
+      <source>{what}, from the right</source>
+      <translation>{what}, von rechts</translation>
+    </message>
+    <message>
+      <source>… to {place}</source>
+      <translation>… bis {place}</translation>
     </message>
   </context>
   <context>

@@ -535,6 +535,10 @@
       <translation>误差估计</translation>
     </message>
     <message>
+      <source>Folder for the report</source>
+      <translation>报告的文件夹</translation>
+    </message>
+    <message>
       <source>Force and moment at the end</source>
       <translation>终点的力和力矩</translation>
     </message>
@@ -840,6 +844,477 @@
     <message>
       <source>the first of the document</source>
       <translation>文档中的第一个</translation>
+    </message>
+  </context>
+  <context>
+    <name>CableReport</name>
+    <message>
+      <source>All cables</source>
+      <translation>全部线缆</translation>
+    </message>
+    <message>
+      <source>Allowance at start and end</source>
+      <translation>起点和终点余量</translation>
+    </message>
+    <message>
+      <source>Allowed</source>
+      <translation>允许值</translation>
+    </message>
+    <message>
+      <source>Allowed [mm]</source>
+      <translation>允许值 [mm]</translation>
+    </message>
+    <message>
+      <source>Allowed&lt;br&gt;[mm]</source>
+      <translation>允许值&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>As the window shows it</source>
+      <translation>窗口中的显示</translation>
+    </message>
+    <message>
+      <source>Balance of forces and moments</source>
+      <translation>力与力矩的平衡</translation>
+    </message>
+    <message>
+      <source>Bend and clearance</source>
+      <translation>弯曲与间隙</translation>
+    </message>
+    <message>
+      <source>Cable</source>
+      <translation>线缆</translation>
+    </message>
+    <message>
+      <source>Cable type</source>
+      <translation>线缆类型</translation>
+    </message>
+    <message>
+      <source>Cable types</source>
+      <translation>线缆类型</translation>
+    </message>
+    <message>
+      <source>Cables</source>
+      <translation>线缆</translation>
+    </message>
+    <message>
+      <source>Cables of {document}</source>
+      <translation>{document} 的线缆</translation>
+    </message>
+    <message>
+      <source>Centre of mass</source>
+      <translation>质心</translation>
+    </message>
+    <message>
+      <source>Centre x [mm]</source>
+      <translation>质心 x [mm]</translation>
+    </message>
+    <message>
+      <source>Centre y [mm]</source>
+      <translation>质心 y [mm]</translation>
+    </message>
+    <message>
+      <source>Centre z [mm]</source>
+      <translation>质心 z [mm]</translation>
+    </message>
+    <message>
+      <source>Clearance [mm]</source>
+      <translation>间隙 [mm]</translation>
+    </message>
+    <message>
+      <source>Clearance asked for</source>
+      <translation>要求的间隙</translation>
+    </message>
+    <message>
+      <source>Clearance is the least distance of the cable's surface to any visible solid and any other cable, where one is within 20 mm of it, except where the cable is held. Coordinates, forces and moments are in the coordinates of the document; forces and moments are those of the connectors and supports on the cable.</source>
+      <translation>间隙是线缆表面到任何可见实体和其他线缆的最小距离，仅计 20 mm 以内者，线缆被固定之处除外。坐标、力和力矩均采用文档坐标系；力和力矩是连接器和支撑对线缆的作用。</translation>
+    </message>
+    <message>
+      <source>Clearance&lt;br&gt;[mm]</source>
+      <translation>间隙&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Curvature [1/m] over the distance from the start [mm]; dashed: the spline route</source>
+      <translation>曲率 [1/m] 随距起点距离 [mm] 的变化；虚线：样条路径</translation>
+    </message>
+    <message>
+      <source>Cut length</source>
+      <translation>下料长度</translation>
+    </message>
+    <message>
+      <source>Cut length [mm]</source>
+      <translation>下料长度 [mm]</translation>
+    </message>
+    <message>
+      <source>Cut length&lt;br&gt;[mm]</source>
+      <translation>下料长度&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Error estimate</source>
+      <translation>误差估计</translation>
+    </message>
+    <message>
+      <source>Error estimate [mm]</source>
+      <translation>误差估计 [mm]</translation>
+    </message>
+    <message>
+      <source>Error&lt;br&gt;[mm]</source>
+      <translation>误差&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Fails</source>
+      <translation>不满足</translation>
+    </message>
+    <message>
+      <source>Force [N]</source>
+      <translation>力 [N]</translation>
+    </message>
+    <message>
+      <source>Force at end [N]</source>
+      <translation>终点力 [N]</translation>
+    </message>
+    <message>
+      <source>Force at start [N]</source>
+      <translation>起点力 [N]</translation>
+    </message>
+    <message>
+      <source>Forces and moments on the cable</source>
+      <translation>作用于线缆的力和力矩</translation>
+    </message>
+    <message>
+      <source>Holds</source>
+      <translation>满足</translation>
+    </message>
+    <message>
+      <source>If the strands slip</source>
+      <translation>若股线滑移</translation>
+    </message>
+    <message>
+      <source>If the strands stick</source>
+      <translation>若股线粘结</translation>
+    </message>
+    <message>
+      <source>It bends to {radius} mm; {allowed} mm is allowed.</source>
+      <translation>其弯曲半径为 {radius} mm；允许 {allowed} mm。</translation>
+    </message>
+    <message>
+      <source>It does not stay in this shape.</source>
+      <translation>它不会保持这一形状。</translation>
+    </message>
+    <message>
+      <source>It enters {other} by {depth} mm.</source>
+      <translation>它侵入 {other} {depth} mm。</translation>
+    </message>
+    <message>
+      <source>It holds, but with {stiffness} it bends to {radius} mm.</source>
+      <translation>它满足要求，但取 {stiffness} 时弯曲到 {radius} mm。</translation>
+    </message>
+    <message>
+      <source>It is out of date; recompute the document.</source>
+      <translation>它已过期；请重新计算文档。</translation>
+    </message>
+    <message>
+      <source>It is {distance} mm from {other}; its clearance is {clearance} mm.</source>
+      <translation>它距 {other} {distance} mm；其间隙为 {clearance} mm。</translation>
+    </message>
+    <message>
+      <source>Its bend radius [mm]</source>
+      <translation>其弯曲半径 [mm]</translation>
+    </message>
+    <message>
+      <source>Its bend&lt;br&gt;radius [mm]</source>
+      <translation>其弯曲&lt;br&gt;半径 [mm]</translation>
+    </message>
+    <message>
+      <source>Its distance to {other} is not known: {reason}</source>
+      <translation>它到 {other} 的距离未知：{reason}</translation>
+    </message>
+    <message>
+      <source>Its shape at the bounds of its stiffness is not known: {error}</source>
+      <translation>它在刚度界限处的形状未知：{error}</translation>
+    </message>
+    <message>
+      <source>Largest end&lt;br&gt;force [N]</source>
+      <translation>最大端部&lt;br&gt;力 [N]</translation>
+    </message>
+    <message>
+      <source>Largest end&lt;br&gt;moment [N m]</source>
+      <translation>最大端部&lt;br&gt;力矩 [N m]</translation>
+    </message>
+    <message>
+      <source>Least clearance</source>
+      <translation>最小间隙</translation>
+    </message>
+    <message>
+      <source>Length</source>
+      <translation>长度</translation>
+    </message>
+    <message>
+      <source>Length [mm]</source>
+      <translation>长度 [mm]</translation>
+    </message>
+    <message>
+      <source>Length between the terminals</source>
+      <translation>端子之间的长度</translation>
+    </message>
+    <message>
+      <source>Length&lt;br&gt;[mm]</source>
+      <translation>长度&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Margin</source>
+      <translation>裕量</translation>
+    </message>
+    <message>
+      <source>Margin [%]</source>
+      <translation>裕量 [%]</translation>
+    </message>
+    <message>
+      <source>Margin [mm]</source>
+      <translation>裕量 [mm]</translation>
+    </message>
+    <message>
+      <source>Mass</source>
+      <translation>质量</translation>
+    </message>
+    <message>
+      <source>Mass [g]</source>
+      <translation>质量 [g]</translation>
+    </message>
+    <message>
+      <source>Mass, and how it was solved</source>
+      <translation>质量及求解情况</translation>
+    </message>
+    <message>
+      <source>Mass&lt;br&gt;[g]</source>
+      <translation>质量&lt;br&gt;[g]</translation>
+    </message>
+    <message>
+      <source>Mode</source>
+      <translation>方式</translation>
+    </message>
+    <message>
+      <source>Model</source>
+      <translation>模型</translation>
+    </message>
+    <message>
+      <source>Moment [N m]</source>
+      <translation>力矩 [N m]</translation>
+    </message>
+    <message>
+      <source>Moment at end [N m]</source>
+      <translation>终点力矩 [N m]</translation>
+    </message>
+    <message>
+      <source>Moment at start [N m]</source>
+      <translation>起点力矩 [N m]</translation>
+    </message>
+    <message>
+      <source>Not solved</source>
+      <translation>未求解</translation>
+    </message>
+    <message>
+      <source>Of the spline route</source>
+      <translation>样条路径的</translation>
+    </message>
+    <message>
+      <source>Rounded up by</source>
+      <translation>向上取整</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translation>截面</translation>
+    </message>
+    <message>
+      <source>Shortest and longest that will do</source>
+      <translation>满足要求的最短和最长</translation>
+    </message>
+    <message>
+      <source>Slack</source>
+      <translation>余量</translation>
+    </message>
+    <message>
+      <source>Smallest bend radius</source>
+      <translation>最小弯曲半径</translation>
+    </message>
+    <message>
+      <source>Smallest bend radius [mm]</source>
+      <translation>最小弯曲半径 [mm]</translation>
+    </message>
+    <message>
+      <source>Smallest bend&lt;br&gt;radius [mm]</source>
+      <translation>最小弯曲&lt;br&gt;半径 [mm]</translation>
+    </message>
+    <message>
+      <source>Solve time [s]</source>
+      <translation>求解时间 [s]</translation>
+    </message>
+    <message>
+      <source>Solved in&lt;br&gt;[ms]</source>
+      <translation>求解用时&lt;br&gt;[ms]</translation>
+    </message>
+    <message>
+      <source>Spline route</source>
+      <translation>样条路径</translation>
+    </message>
+    <message>
+      <source>Spline route [mm]</source>
+      <translation>样条路径 [mm]</translation>
+    </message>
+    <message>
+      <source>Spline route&lt;br&gt;[mm]</source>
+      <translation>样条路径&lt;br&gt;[mm]</translation>
+    </message>
+    <message>
+      <source>Stays in this shape</source>
+      <translation>保持这一形状</translation>
+    </message>
+    <message>
+      <source>Straight way [mm]</source>
+      <translation>直线路径 [mm]</translation>
+    </message>
+    <message>
+      <source>Straight way over the supports</source>
+      <translation>经过支撑的直线路径</translation>
+    </message>
+    <message>
+      <source>The document has no cables.</source>
+      <translation>文档中没有线缆。</translation>
+    </message>
+    <message>
+      <source>The spline route is the curve through the same terminals and supports that a drawing would show, without stiffness, weight and given length. Tolerances of the cut length are those of IPC/WHMA-A-620, Table 11-1, as an industry review draft has them.</source>
+      <translation>样条路径是图纸上会画出的、经过相同端子和支撑的曲线，不考虑刚度、重量和给定长度。下料长度公差取自 IPC/WHMA-A-620 表 11-1 的行业评审稿。</translation>
+    </message>
+    <message>
+      <source>The worst cable comes first: those without an answer, those that fail, those of which something is not known; among equals the smallest margin. The margin is by how much the smallest bend radius is above the allowed one, relative to that. Bend radii are those of the centreline.</source>
+      <translation>最差的线缆排在最前：没有解的、不满足的、尚有未知的；同类中裕量最小者在前。裕量是最小弯曲半径超出允许值的相对量。弯曲半径均指中心线。</translation>
+    </message>
+    <message>
+      <source>Time of the solve</source>
+      <translation>求解时间</translation>
+    </message>
+    <message>
+      <source>To be checked</source>
+      <translation>待检查</translation>
+    </message>
+    <message>
+      <source>Together: length {length} mm, cut length {cut} mm, mass {mass} g, centre of mass {centre} mm.</source>
+      <translation>合计：长度 {length} mm，下料长度 {cut} mm，质量 {mass} g，质心 {centre} mm。</translation>
+    </message>
+    <message>
+      <source>Type</source>
+      <translation>类型</translation>
+    </message>
+    <message>
+      <source>Verdict</source>
+      <translation>结论</translation>
+    </message>
+    <message>
+      <source>What it says</source>
+      <translation>说明</translation>
+    </message>
+    <message>
+      <source>Where its numbers are from</source>
+      <translation>数据来源</translation>
+    </message>
+    <message>
+      <source>allowed</source>
+      <translation>允许</translation>
+    </message>
+    <message>
+      <source>at [mm]</source>
+      <translation>位置 [mm]</translation>
+    </message>
+    <message>
+      <source>checked</source>
+      <translation>检查</translation>
+    </message>
+    <message>
+      <source>en</source>
+      <translation>zh-CN</translation>
+    </message>
+    <message>
+      <source>enforced</source>
+      <translation>强制满足</translation>
+    </message>
+    <message>
+      <source>no</source>
+      <translation>否</translation>
+    </message>
+    <message>
+      <source>not known</source>
+      <translation>未知</translation>
+    </message>
+    <message>
+      <source>nothing within 20 mm</source>
+      <translation>20 mm 内无物体</translation>
+    </message>
+    <message>
+      <source>of it x, y, z</source>
+      <translation>其 x、y、z 分量</translation>
+    </message>
+    <message>
+      <source>straight</source>
+      <translation>直</translation>
+    </message>
+    <message>
+      <source>to</source>
+      <translation>至</translation>
+    </message>
+    <message>
+      <source>to {residual}, relative</source>
+      <translation>相对 {residual}</translation>
+    </message>
+    <message>
+      <source>yes</source>
+      <translation>是</translation>
+    </message>
+    <message>
+      <source>{distance} to {nearest}</source>
+      <translation>至 {nearest} {distance}</translation>
+    </message>
+    <message>
+      <source>{obstacle}, at {place}</source>
+      <translation>{obstacle}，位置 {place}</translation>
+    </message>
+    <message>
+      <source>{radius} at the centreline</source>
+      <translation>中心线处 {radius}</translation>
+    </message>
+    <message>
+      <source>{radius} at the inside of the bend</source>
+      <translation>弯曲内侧 {radius}</translation>
+    </message>
+    <message>
+      <source>{radius} at {place}</source>
+      <translation>{radius}，位置 {place}</translation>
+    </message>
+    <message>
+      <source>{radius}, up to {distance} beside this shape</source>
+      <translation>{radius}，与此形状相距至多 {distance}</translation>
+    </message>
+    <message>
+      <source>{type} has no smallest bend radius to compare with.</source>
+      <translation>{type} 没有可供比较的最小弯曲半径。</translation>
+    </message>
+    <message>
+      <source>{what}, from a corner</source>
+      <translation>{what}，斜视</translation>
+    </message>
+    <message>
+      <source>{what}, from above</source>
+      <translation>{what}，俯视</translation>
+    </message>
+    <message>
+      <source>{what}, from the front</source>
+      <translation>{what}，前视</translation>
+    </message>
+    <message>
+      <source>{what}, from the right</source>
+      <translation>{what}，右视</translation>
+    </message>
+    <message>
+      <source>… to {place}</source>
+      <translation>… 至 {place}</translation>
     </message>
   </context>
   <context>

@@ -2,6 +2,7 @@
 """The commands about the whole document, in a window."""
 
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -53,6 +54,35 @@ class ReportCommandTest(WindowTest):
         colours = {image.pixel(x, y) for x in range(0, 1600, 9) for y in range(0, 1000, 9)}
         self.assertGreater(len(colours), 5, "the picture is empty")
         self.assertEqual(self.document.CableReport.get("A2"), self.cable.Label)
+
+    def test_it_speaks_the_language_of_the_window(self):
+        self.make_cable()
+        self.kind.MinBendRadius = "60 mm"
+        self.document.saveAs(os.path.join(self.folder, "a.FCStd"))
+        pages = {}
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        for language in ("English", "German", "Chinese Simplified"):
+            FreeCADGui.setLocale(language)
+            self.run_report()
+            page = Path(self.folder) / "a-cables.html"
+            pages[language] = page.read_text(encoding="utf-8")
+            heading = self.document.CableReport.get("C1")
+            self.assertEqual(heading, FreeCAD.Qt.translate("CableReport", "Length [mm]"))
+        for language, said in (
+            ("English", ('lang="en"', "Cut length", "63.5 mm is allowed.", "from the front")),
+            ("German", ('lang="de"', "Schnittlänge", "erlaubt sind 63.5 mm.", "von vorn")),
+            ("Chinese Simplified", ('lang="zh-CN"', "下料长度", "允许 63.5 mm。", "前视")),
+        ):
+            for each in said:
+                self.assertIn(each, pages[language])
+        # Of the page itself nothing stays English; what the document says, does.
+        texts = re.compile("<h[23]>([^<]*)<|<th[^>]*>([^<]+)<|<td>([^<]+)</td><td class")
+        english = {text.strip() for found in texts.findall(pages["English"]) for text in found}
+        self.assertGreater(len(english), 30)
+        own = {"", *(obj.Label for obj in (self.cable, self.kind, self.start, self.end))}
+        for language, same in (("German", {"Moment [N m]"}), ("Chinese Simplified", set())):
+            other = {text.strip() for found in texts.findall(pages[language]) for text in found}
+            self.assertEqual((english & other) - own, same)
 
     def test_it_is_one_step_of_undo(self):
         self.make_cable()

@@ -4,19 +4,22 @@
 import math
 from html import escape
 
+import FreeCAD
 import numpy as np
 from FreeCAD import Vector
 
 from ..interference import roots
 from ..obstacles import Piece, pieces
 
+translate = FreeCAD.Qt.translate
+
 HALF = 0.5**0.5
 
 VIEWS = {
-    "From above": ((1, 0, 0), (0, 1, 0)),
-    "From the front": ((1, 0, 0), (0, 0, 1)),
-    "From the right": ((0, 1, 0), (0, 0, 1)),
-    "From a corner": ((HALF, HALF, 0), (-0.5 * HALF, 0.5 * HALF, 0.75**0.5)),
+    "above": ((1, 0, 0), (0, 1, 0)),
+    "front": ((1, 0, 0), (0, 0, 1)),
+    "right": ((0, 1, 0), (0, 0, 1)),
+    "corner": ((HALF, HALF, 0), (-0.5 * HALF, 0.5 * HALF, 0.75**0.5)),
 }
 """Name of a view: what points to the right and up in it."""
 
@@ -58,7 +61,7 @@ def all_cables(entries, edges, view, width=460, height=340):
     parts = [picture.edges(edges)]
     for rank, entry in enumerate(entries):
         parts += [picture.cable(entry, colour(rank)), picture.name(entry, colour(rank))]
-    return picture.svg(parts, f"All cables, {view[:1].lower()}{view[1:]}")
+    return picture.svg(parts, _seen(translate("CableReport", "All cables"), view))
 
 
 def one_cable(entry, edges, tint, width=460, height=300):
@@ -74,7 +77,16 @@ def one_cable(entry, edges, tint, width=460, height=300):
     if math.isfinite(entry.cable.SmallestBendRadius.Value):
         at = np.searchsorted(entry.line.arc_length, entry.cable.SmallestBendRadiusAt.Value)
         parts.append(picture.dot(entry.line.points[min(at, len(points) - 1)], "tightest", ""))
-    return picture.svg(parts, f"{entry.label}, {view[:1].lower()}{view[1:]}")
+    return picture.svg(parts, _seen(entry.label, view))
+
+
+def _seen(what, view):
+    return {
+        "above": translate("CableReport", "{what}, from above"),
+        "front": translate("CableReport", "{what}, from the front"),
+        "right": translate("CableReport", "{what}, from the right"),
+        "corner": translate("CableReport", "{what}, from a corner"),
+    }[view].format(what=what)
 
 
 class _Picture:

@@ -5,6 +5,7 @@ import math
 from dataclasses import dataclass, field
 from enum import Enum
 
+import FreeCAD
 import numpy as np
 from FreeCAD import Placement, Vector
 
@@ -25,6 +26,8 @@ from ..route import routed_scene
 from ..stiffness_band import band
 from ..stored_solution import nodes
 
+translate = FreeCAD.Qt.translate
+
 SAMPLES = 200
 """Points on a line of the report."""
 
@@ -35,9 +38,6 @@ HELD = 1e-3
 """What an enforced bend radius may lack, relative: the mesh leaves that between its nodes."""
 
 
-OUT_OF_DATE = "It is out of date; recompute the document."
-
-
 class Verdict(Enum):
     """What a reader has to do with a cable; the worst first."""
 
@@ -45,6 +45,16 @@ class Verdict(Enum):
     FAILS = "Fails"
     UNKNOWN = "To be checked"
     HOLDS = "Holds"
+
+    @property
+    def text(self):
+        """What a reader reads."""
+        return {
+            Verdict.NOT_SOLVED: translate("CableReport", "Not solved"),
+            Verdict.FAILS: translate("CableReport", "Fails"),
+            Verdict.UNKNOWN: translate("CableReport", "To be checked"),
+            Verdict.HOLDS: translate("CableReport", "Holds"),
+        }[self]
 
 
 @dataclass(frozen=True)
@@ -119,10 +129,11 @@ def collect(doc) -> list[Entry]:
 
 
 def _entry(cable, near):
+    out_of_date = translate("CableReport", "It is out of date; recompute the document.")
     if not cable.isValid() or not cable.SolvedInputs or cable.OutOfDate:
-        return Entry(cable, cable.Label, cable.Status or OUT_OF_DATE)
+        return Entry(cable, cable.Label, cable.Status or out_of_date)
     if "Touched" in cable.State:
-        return Entry(cable, cable.Label, OUT_OF_DATE)
+        return Entry(cable, cable.Label, out_of_date)
     where = _placement(cable)
     entry = Entry(cable, cable.Label, cable.Status, supports=_places(cable, where))
     if cable.BendRadiusMargin.Value != cable.SmallestBendRadius.Value:
@@ -147,12 +158,17 @@ def _add_band(entry):
     try:
         entry.band = band(entry.cable)
     except CableError as error:
-        entry.doubts.append(f"Its shape at the bounds of its stiffness is not known: {error}")
+        said = translate(
+            "CableReport", "Its shape at the bounds of its stiffness is not known: {error}"
+        )
+        entry.doubts.append(said.format(error=error))
     for bound in entry.band:
         if entry.allowed > bound.radius and entry.relative_margin >= 0:
-            entry.doubts.append(
-                f"It holds, but with {bound.name}BendingStiffness it bends to {bound.radius:.4g} mm."
+            said = translate(
+                "CableReport", "It holds, but with {stiffness} it bends to {radius} mm."
             )
+            stiffness = f"{bound.name}BendingStiffness"
+            entry.doubts.append(said.format(stiffness=stiffness, radius=f"{bound.radius:.4g}"))
 
 
 def _judge(entry):
@@ -160,13 +176,14 @@ def _judge(entry):
     cable, kind = entry.cable, entry.cable.CableType
     least = -HELD if cable.BendRadiusMode == "Enforce" else 0.0
     if entry.relative_margin < least:
-        entry.failures.append(
-            f"It bends to {cable.SmallestBendRadius.Value:.4g} mm; {entry.allowed:.4g} mm is allowed."
-        )
+        said = translate("CableReport", "It bends to {radius} mm; {allowed} mm is allowed.")
+        radius, allowed = f"{cable.SmallestBendRadius.Value:.4g}", f"{entry.allowed:.4g}"
+        entry.failures.append(said.format(radius=radius, allowed=allowed))
     if not cable.Stable:
-        entry.failures.append("It does not stay in this shape.")
+        entry.failures.append(translate("CableReport", "It does not stay in this shape."))
     if not entry.allowed:
-        entry.doubts.append(f"{kind.Label} has no smallest bend radius to compare with.")
+        said = translate("CableReport", "{type} has no smallest bend radius to compare with.")
+        entry.doubts.append(said.format(type=kind.Label))
     entry.doubts += cable.FormedPlaces
     entry.doubts += [said.replace("Warning: ", "") for said in (*doubts(kind), *unknowns(kind))]
 
@@ -178,16 +195,20 @@ def _add_clearance(entry, rows):
     for row in rows:
         other = row.other if row.cable == entry.label else row.cable
         if math.isnan(row.distance):
-            entry.doubts.append(f"Its distance to {other} is not known: {row.verdict}")
+            said = translate("CableReport", "Its distance to {other} is not known: {reason}")
+            entry.doubts.append(said.format(other=other, reason=row.verdict))
             continue
         if row.distance < entry.clearance or not entry.nearest:
             entry.clearance, entry.nearest = min(row.distance, entry.clearance), other
         if row.verdict == "Interference":
-            entry.failures.append(f"It enters {other} by {-row.distance:.3g} mm.")
+            said = translate("CableReport", "It enters {other} by {depth} mm.")
+            entry.failures.append(said.format(other=other, depth=f"{-row.distance:.3g}"))
         elif row.verdict == "Too close" and row.distance < entry.cable.Clearance.Value:
-            entry.failures.append(
-                f"It is {row.distance:.3g} mm from {other}; its clearance is {entry.cable.Clearance.Value:.3g} mm."
+            said = translate(
+                "CableReport", "It is {distance} mm from {other}; its clearance is {clearance} mm."
             )
+            distance, clearance = f"{row.distance:.3g}", f"{entry.cable.Clearance.Value:.3g}"
+            entry.failures.append(said.format(distance=distance, other=other, clearance=clearance))
 
 
 def _lengths(cable):

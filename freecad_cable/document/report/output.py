@@ -15,6 +15,8 @@ from .entry import collect
 from .page import page
 from .spreadsheet import sheet
 
+translate = FreeCAD.Qt.translate
+
 NO_NAME = re.compile(r"[^\w.-]+")
 """What does not belong into the name of a file."""
 
@@ -34,7 +36,8 @@ def write(doc, folder, *, picture=None) -> Path:
     path = page_path(doc, folder)
     try:
         shown = Path(picture).read_bytes() if picture else None
-        text = page(f"Cables of {doc.Label}", _meta(doc), entries, outlines(doc), shown)
+        title = translate("CableReport", "Cables of {document}").format(document=doc.Label)
+        text = page(title, _meta(doc), entries, outlines(doc), shown)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
     except OSError as error:

@@ -3,7 +3,10 @@
 
 import math
 
+import FreeCAD
 import numpy as np
+
+translate = FreeCAD.Qt.translate
 
 WIDTH, HEIGHT = 460, 190
 LEFT, RIGHT, TOP, BOTTOM = 44, 8, 12, 34
@@ -27,16 +30,20 @@ def curvature(entry, tint):
     parts = [_axes(x, y, length, top)]
     if limit:
         parts.append(f'<path class="limit" d="M{LEFT} {y(limit):.1f}H{WIDTH - RIGHT}"/>')
-        parts.append(f'<text class="limit" x="{LEFT + 4}" y="{y(limit) - 4:.1f}">allowed</text>')
+        allowed = translate("CableReport", "allowed")
+        parts.append(f'<text class="limit" x="{LEFT + 4}" y="{y(limit) - 4:.1f}">{allowed}</text>')
     if entry.spline:
         parts.append(f'<path class="spline" d="{_way(entry.spline, x, y)}"/>')
     parts.append(f'<path class="curve" stroke="{tint}" d="{_way(entry.line, x, y)}"/>')
     for place in np.cumsum([stretch for _, stretch in entry.stretches])[:-1]:
         parts.append(f'<path class="tick" d="M{x(place):.1f} {HEIGHT - BOTTOM}v-8"/>')
+    caption = translate(
+        "CableReport",
+        "Curvature [1/m] over the distance from the start [mm]; dashed: the spline route",
+    )
     return (
         f'<figure><svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img">{"".join(parts)}</svg>'
-        "<figcaption>Curvature [1/m] over the distance from the start [mm]; dashed: the spline route</figcaption>"
-        "</figure>"
+        f"<figcaption>{caption}</figcaption></figure>"
     )
 
 

@@ -4,6 +4,10 @@
 import math
 from html import escape
 
+import FreeCAD
+
+translate = FreeCAD.Qt.translate
+
 TOLERANCES = ((300, 25), (1500, 50), (3000, 100), (7500, 150))
 """Cut length up to [mm], and by how much a cable may be longer [mm]: IPC/WHMA-A-620 Table 11-1, as an industry review
 draft has it."""
@@ -20,10 +24,10 @@ def details(entry):
     return "".join(
         f"<h3>{title}</h3>{table}"
         for title, table in (
-            ("Length", _pairs(_length(entry))),
-            ("Bend and clearance", _pairs(_bend(entry))),
-            ("Forces and moments on the cable", _loads(entry)),
-            ("Mass, and how it was solved", _pairs(_model(entry))),
+            (translate("CableReport", "Length"), _pairs(_length(entry))),
+            (translate("CableReport", "Bend and clearance"), _pairs(_bend(entry))),
+            (translate("CableReport", "Forces and moments on the cable"), _loads(entry)),
+            (translate("CableReport", "Mass, and how it was solved"), _pairs(_model(entry))),
         )
     )
 
@@ -40,8 +44,14 @@ def types(entries):
             f'<tr><td>{escape(kind.Label)}</td><td class="text">{escape(kind.Status)}</td><td class="text">{lines}</td>'
             "</tr>"
         )
-    head = '<tr><th>Type</th><th class="text">Section</th><th class="text">Where its numbers are from</th></tr>'
-    return f"<section><h2>Cable types</h2><table>{head}{''.join(rows)}</table></section>"
+    title = translate("CableReport", "Cable types")
+    heads = (
+        f"<th>{translate('CableReport', 'Type')}</th>",
+        f'<th class="text">{translate("CableReport", "Section")}</th>',
+        f'<th class="text">{translate("CableReport", "Where its numbers are from")}</th>',
+    )
+    head = f"<tr>{''.join(heads)}</tr>"
+    return f"<section><h2>{title}</h2><table>{head}{''.join(rows)}</table></section>"
 
 
 def tolerance(length):
@@ -53,63 +63,107 @@ def _length(entry):
     cable = entry.cable
     solved, cut = cable.SolvedLength.Value, cable.CutLength.Value
     if not math.isnan(entry.straight):
-        yield "Straight way over the supports", _mm(entry.straight)
+        yield translate("CableReport", "Straight way over the supports"), _mm(entry.straight)
         yield (
-            "Slack",
+            translate("CableReport", "Slack"),
             f"{_mm(solved - entry.straight)}, {100 * (solved / entry.straight - 1):.1f} %",
         )
     if len(entry.stretches) > 1:
         for place, stretch in entry.stretches:
-            yield f"… to {place}", _mm(stretch)
-    yield "Length between the terminals", _mm(solved)
+            yield translate("CableReport", "… to {place}").format(place=place), _mm(stretch)
+    yield translate("CableReport", "Length between the terminals"), _mm(solved)
     if cable.LengthMode == "Shortest":
         yield (
-            "Shortest and longest that will do",
+            translate("CableReport", "Shortest and longest that will do"),
             f"{_mm(cable.ShortestLength.Value)}, {_mm(cable.LongestLength.Value)}",
         )
     allowances = cable.StartAllowance.Value, cable.EndAllowance.Value
-    yield "Allowance at start and end", f"{_mm(allowances[0])}, {_mm(allowances[1])}"
-    yield "Rounded up by", _mm(cut - solved - sum(allowances))
-    yield "Cut length", f"<b>{_mm(cut)}</b> +{tolerance(cut):.0f}/−0"
+    yield (
+        translate("CableReport", "Allowance at start and end"),
+        f"{_mm(allowances[0])}, {_mm(allowances[1])}",
+    )
+    yield translate("CableReport", "Rounded up by"), _mm(cut - solved - sum(allowances))
+    yield translate("CableReport", "Cut length"), f"<b>{_mm(cut)}</b> +{tolerance(cut):.0f}/−0"
     if not math.isnan(entry.spline_length):
         difference = entry.spline_length - solved
         share = 100 * difference / solved
-        yield "Spline route", f"{_mm(entry.spline_length)} ({difference:+.1f} mm, {share:+.1f} %)"
+        yield (
+            translate("CableReport", "Spline route"),
+            f"{_mm(entry.spline_length)} ({difference:+.1f} mm, {share:+.1f} %)",
+        )
 
 
 def _bend(entry):
     cable, kind = entry.cable, entry.cable.CableType
+    modes = {
+        "Check": translate("CableReport", "checked"),
+        "Enforce": translate("CableReport", "enforced"),
+    }
+    strands = {
+        "Slip": translate("CableReport", "If the strands slip"),
+        "Stick": translate("CableReport", "If the strands stick"),
+    }
     yield (
-        "Smallest bend radius",
-        f"{_radius(cable.SmallestBendRadius.Value)} at {_mm(cable.SmallestBendRadiusAt.Value)}",
+        translate("CableReport", "Smallest bend radius"),
+        translate("CableReport", "{radius} at {place}").format(
+            radius=_radius(cable.SmallestBendRadius.Value),
+            place=_mm(cable.SmallestBendRadiusAt.Value),
+        ),
     )
     if entry.allowed:
         inside = kind.BendRadiusConvention == "Inside"
         stated = entry.allowed - (kind.OuterDiameter.Value / 2 if inside else 0)
-        where = "inside of the bend" if inside else "centreline"
-        yield "Allowed", f"{_mm(entry.allowed)} ({_mm(stated)} at the {where})"
-        yield "Margin", f"{_mm(cable.BendRadiusMargin.Value)}, {100 * entry.relative_margin:.1f} %"
-    else:
-        yield "Allowed", "not known"
-    yield "Mode", cable.BendRadiusMode
-    if not math.isnan(entry.spline_radius):
-        yield "Of the spline route", _radius(entry.spline_radius)
-    for bound in entry.band:
-        told = "strands slip" if bound.name == "Slip" else "strands stick"
+        where = (
+            translate("CableReport", "{radius} at the inside of the bend")
+            if inside
+            else translate("CableReport", "{radius} at the centreline")
+        )
         yield (
-            f"If the {told}",
-            f"{_radius(bound.radius)}, up to {_mm(bound.shift)} beside this shape",
+            translate("CableReport", "Allowed"),
+            f"{_mm(entry.allowed)} ({where.format(radius=_mm(stated))})",
+        )
+        yield (
+            translate("CableReport", "Margin"),
+            f"{_mm(cable.BendRadiusMargin.Value)}, {100 * entry.relative_margin:.1f} %",
+        )
+    else:
+        yield translate("CableReport", "Allowed"), translate("CableReport", "not known")
+    yield translate("CableReport", "Mode"), modes[cable.BendRadiusMode]
+    if not math.isnan(entry.spline_radius):
+        yield translate("CableReport", "Of the spline route"), _radius(entry.spline_radius)
+    for bound in entry.band:
+        shape = translate("CableReport", "{radius}, up to {distance} beside this shape")
+        yield (
+            strands[bound.name],
+            shape.format(radius=_radius(bound.radius), distance=_mm(bound.shift)),
         )
     if math.isfinite(entry.clearance):
-        to = f" to {escape(entry.nearest)}" if entry.nearest else ""
-        yield "Least clearance", f"{_mm(entry.clearance)}{to}"
+        nearest = (
+            translate("CableReport", "{distance} to {nearest}") if entry.nearest else "{distance}"
+        )
+        yield (
+            translate("CableReport", "Least clearance"),
+            nearest.format(distance=_mm(entry.clearance), nearest=escape(entry.nearest)),
+        )
     else:
-        yield "Least clearance", "nothing within 20 mm"
-    yield "Clearance asked for", _mm(cable.Clearance.Value)
+        yield (
+            translate("CableReport", "Least clearance"),
+            translate("CableReport", "nothing within 20 mm"),
+        )
+    yield translate("CableReport", "Clearance asked for"), _mm(cable.Clearance.Value)
 
 
 def _loads(entry):
-    head = "<tr><th></th><th>Force [N]</th><th>of it x, y, z</th><th>Moment [N m]</th><th>of it x, y, z</th></tr>"
+    parts = translate("CableReport", "of it x, y, z")
+    heads = (
+        "",
+        translate("CableReport", "Force [N]"),
+        parts,
+        translate("CableReport", "Moment [N m]"),
+        parts,
+    )
+    head = f"<tr>{''.join(f'<th>{each}</th>' for each in heads)}</tr>"
+    touching = translate("CableReport", "{obstacle}, at {place}")
     rows = [
         f"<tr><td>{escape(load.place)}</td><td>{load.force.Length:.3g}</td><td>{_vector(load.force)}</td>"
         f"<td>{load.moment.Length:.3g}</td><td>{_vector(load.moment)}</td></tr>"
@@ -117,24 +171,31 @@ def _loads(entry):
     ]
     cable = entry.cable
     contacts = zip(cable.ContactObstacles, cable.ContactPlaces, cable.ContactForces, strict=True)
-    rows += [
-        f"<tr><td>{escape(name)}, at {_mm(place)}</td><td>{force.Length:.3g}</td><td>{_vector(force)}</td><td></td>"
-        "<td></td></tr>"
-        for name, place, force in contacts
-    ]
+    for name, place, force in contacts:
+        where = touching.format(obstacle=escape(name), place=_mm(place))
+        rows.append(
+            f"<tr><td>{where}</td><td>{force.Length:.3g}</td><td>{_vector(force)}</td><td></td><td></td></tr>"
+        )
     return f'<div class="scroll"><table>{head}{"".join(rows)}</table></div>'
 
 
 def _model(entry):
     cable, centre = entry.cable, entry.centre
-    yield "Cable type", escape(cable.CableType.Label)
-    yield "Mass", f"{1e3 * cable.Mass:.2f} g"
-    yield "Centre of mass", f"({centre.x:.1f}, {centre.y:.1f}, {centre.z:.1f}) mm"
-    yield "Stays in this shape", "yes" if cable.Stable else "<b>no</b>"
-    yield "Error estimate", f"{cable.ErrorEstimate.Value:.2g} mm"
-    yield "Balance of forces and moments", f"to {cable.BalanceResidual:.1g}, relative"
-    yield "Time of the solve", f"{1e3 * cable.SolveTime:.0f} ms"
-    yield "Model", "<br>".join(escape(line) for line in cable.ModelUsed)
+    yes, no = translate("CableReport", "yes"), translate("CableReport", "no")
+    stays = yes if cable.Stable else f"<b>{no}</b>"
+    balance = translate("CableReport", "to {residual}, relative")
+    balance = balance.format(residual=f"{cable.BalanceResidual:.1g}")
+    yield translate("CableReport", "Cable type"), escape(cable.CableType.Label)
+    yield translate("CableReport", "Mass"), f"{1e3 * cable.Mass:.2f} g"
+    yield (
+        translate("CableReport", "Centre of mass"),
+        f"({centre.x:.1f}, {centre.y:.1f}, {centre.z:.1f}) mm",
+    )
+    yield translate("CableReport", "Stays in this shape"), stays
+    yield translate("CableReport", "Error estimate"), f"{cable.ErrorEstimate.Value:.2g} mm"
+    yield translate("CableReport", "Balance of forces and moments"), balance
+    yield translate("CableReport", "Time of the solve"), f"{1e3 * cable.SolveTime:.0f} ms"
+    yield translate("CableReport", "Model"), "<br>".join(escape(line) for line in cable.ModelUsed)
 
 
 def _pairs(pairs):
@@ -149,7 +210,7 @@ def _mm(length):
 
 
 def _radius(radius):
-    return _mm(radius) if radius < LONG_BEND else "straight"
+    return _mm(radius) if radius < LONG_BEND else translate("CableReport", "straight")
 
 
 def _vector(vector):
