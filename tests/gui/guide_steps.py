@@ -53,10 +53,11 @@ def edge_of_hole(wall):
     return min(circles)[1]
 
 
-def numbers(document):
-    """What the guide says of its cable, in mm and N."""
+def numbers(document, shortest):
+    """What the guide says of its cable, in mm and N; ``shortest`` is the least length, before there was a wall."""
     cable, route = document.Cable, document.Route
     return {
+        "shortest": shortest,
         "length": cable.SolvedLength.Value,
         "radius": cable.SmallestBendRadius.Value,
         "clearance": cable.SmallestClearance.Value,
@@ -72,6 +73,9 @@ def by_macro():
     ends = [make.terminal(document, (unit, edge)) for edge in EDGES]
     cable = make.cable(document, start=ends[0], end=ends[1])
     cable.CableType.MinBendRadius = LIMIT
+    cable.LengthMode = "Shortest"
+    document.recompute()
+    shortest = cable.SolvedLength.Value
     cable.LengthMode, cable.Length = "Fixed", LENGTH
     cable.Update = "Live"
     document.recompute()
@@ -84,7 +88,7 @@ def by_macro():
     document.recompute()
     document.Right.Placement.Base = MOVED
     document.recompute()
-    return numbers(document)
+    return numbers(document, shortest)
 
 
 class Hand:
@@ -113,7 +117,7 @@ class Hand:
             step()
             self.rest()
             self.look(f"{number:02d}-{step.__name__.replace('_', '-')}")
-        return numbers(self.document)
+        return numbers(self.document, self.shortest)
 
     def open_the_assembly(self):
         FreeCADGui.activateWorkbench("CableWorkbench")
@@ -136,6 +140,9 @@ class Hand:
 
     def give_it_a_length(self):
         mode = _widget("LengthMode")
+        mode.setCurrentIndex(mode.findData("Shortest"))
+        self.rest()
+        self.shortest, self.said = self.document.Cable.SolvedLength.Value, _widget("Said").text()
         mode.setCurrentIndex(mode.findData("Fixed"))
         self.rest()
         _widget("Length").setProperty("rawValue", LENGTH)

@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -56,7 +57,10 @@ class GuideTest(WindowTest):
         self.assertTrue((Path(folder) / "guide-cables.html").exists())
         text = GUIDE.read_text(encoding="utf-8")
         self.assertEqual([text.count(f"guide/{name}.png") for name in seen], [1] * 10)
+        (quoted,) = re.findall("“([^”]*)”", " ".join(text.split()))
+        self.assertIn(quoted, hand.said)
         for name, format_ in (
+            ("shortest", "{:.1f} mm"),
             ("radius", "{:.1f} mm"),
             ("route", "{:.1f} mm"),
             ("force", "{:.2f} N"),
