@@ -11,13 +11,15 @@ import os
 import statistics
 import sys
 import time
-import traceback
 
 import FreeCAD
 import FreeCADGui
 import Part
 from FreeCAD import Placement, Rotation, Vector
 from PySide import QtCore, QtGui
+
+sys.path.append("docs/pictures")
+from taking import take
 
 MOVES, EDITS = 40, 5
 
@@ -151,15 +153,4 @@ def measure():
     say(f"edit to solid on the screen, all: {milliseconds(every)}")
 
 
-def run():
-    status = 0
-    try:
-        measure()
-    except Exception:  # noqa: BLE001 - becomes the exit code
-        traceback.print_exc(file=sys.__stdout__)
-        status = 1
-    sys.__stdout__.flush()
-    os._exit(status)
-
-
-QtCore.QTimer.singleShot(2000, run)
+take(measure)

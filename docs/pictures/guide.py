@@ -14,7 +14,7 @@ from PySide import QtCore, QtGui
 
 sys.path += ["docs/pictures", "tests/gui"]
 from guide_steps import Hand
-from taking import take, wait
+from taking import rest, take, wait
 
 PICTURES = "docs/pictures/guide"
 WIDTH = 380
@@ -34,7 +34,7 @@ def picture():
         window.screen().grabWindow(window.winId()).save(f"{PICTURES}/{name}.png")
 
     with tempfile.TemporaryDirectory() as folder:
-        found = Hand(look, wait, folder).do()
+        found = Hand(look, rest, folder).do()
     print(found, file=sys.__stdout__)
 
 

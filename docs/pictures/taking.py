@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the scripts that take pictures of FreeCAD's window share."""
+"""What the scripts that take pictures of FreeCAD's window share, and that which measures it."""
 
 import os
 import sys
@@ -15,6 +15,17 @@ def wait(seconds=2):
     until = time.monotonic() + seconds
     while time.monotonic() < until:
         FreeCADGui.updateGui()
+
+
+def rest():
+    """Until nothing moves and nothing is solved, and the window has drawn it."""
+    from freecad_cable.gui.live import live
+    from freecad_cable.gui.worker import worker
+
+    wait(0.5)
+    while live.is_moving() or worker.jobs():
+        FreeCADGui.updateGui()
+    wait()
 
 
 def take(picture):
