@@ -13,7 +13,7 @@ import numpy as np
 from ..geometry.runs import runs
 from ..problem import Swivel
 from ..problem.reduce import orientation, reduce
-from ..transcription.guess import guess, hangs, roll_mismatch, rolled
+from ..transcription.guess import guess, hangs, hold, roll_mismatch, rolled
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import contact, mesh
@@ -147,13 +147,12 @@ def _better(trial, other):
 
 def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
     """Converged trials, cheapest first, made as they are asked for."""
-    layered = any(each is not None and each.valid for each in problem.layered)
     taut = taut_chord(problem.scene) > 1 - SCARCE
     ways = [
         lambda: _direct(problem, arc_length),
         lambda: continued(problem, len(arc_length) - 1),
     ]
-    if not layered and (taut or problem.scaling.weight_ratio > HEAVY):
+    if not hold(problem.layered) and (taut or problem.scaling.weight_ratio > HEAVY):
         ways.reverse()
     if problem.scene.options.elements is None:
         # A soft or sharply bent cable may need more elements before its program has the right minimum at all.

@@ -13,7 +13,7 @@ from ..geometry import rotation
 from ..problem import Clamp, Ring, Scene
 from ..problem.reduce import Model
 from ..transcription import contact, layout
-from ..transcription.guess import gathered_at, layers
+from ..transcription.guess import gathered_at, hold, layers
 from ..transcription.nlp import Nlp, build, pack
 from ..transcription.rows import SHORTEST
 from ..transcription.scaling import Scaling
@@ -185,7 +185,7 @@ class Problem:
         deadline = time.perf_counter() + scene.options.time_limit
         scaling = Scaling.of(scene)
         layered = layers(scene, scaling)
-        pulls = [np.linalg.norm(each.pull) for each in layered if each is not None and each.valid]
+        pulls = [np.linalg.norm(each.pull) for each in hold(layered)]
         scaling = scaling.pulled(max(pulls, default=0.0))
         return cls(scene, model, scaling, layered, deadline, watch=watch)
 

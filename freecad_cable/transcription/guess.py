@@ -80,6 +80,11 @@ def layers(scene: Scene, scaling: Scaling) -> list[Layered | None]:
     return found
 
 
+def hold(layered) -> list[Layered]:
+    """Those of the stretches from ``layers`` that do bend in layers only."""
+    return [each for each in layered if each is not None and each.valid]
+
+
 def _hardly_stretches(scene, stretch):
     rod = scene.rod
     if rod.axial_stiffness is None or not stretch.valid:
