@@ -24,6 +24,10 @@ best), far above rounding in the multipliers of a taut cable (1e-16 × 1e5)."""
 ITERATIONS = 80
 """Those that converge from a usable start were seen to need at most 45."""
 
+LONGEST = 5.0
+"""Time of one run of ipopt [s]: on fine meshes its matrices can fill, and the time limit of a solve is looked at
+between runs."""
+
 NEAR = {"mu_init": 1e-7, "bound_push": 1e-8}
 """fatrop's options for a start that is nearly the solution: with its usual ones it first pushes the start away from the
 bounds that act (measured: two sliding supports dragged take 4 iterations instead of 14)."""
@@ -101,6 +105,7 @@ def built(structure: Structure, name: str, near: bool = False):
         "sb": "yes",
         "tol": TOLERANCE,
         "max_iter": ITERATIONS,
+        "max_wall_time": LONGEST,
         **({"mu_init": NEARBY["mu_init"]} if structure.links else {}),
     }
     options["cache"] = derivatives(

@@ -18,11 +18,14 @@ from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import contact, mesh
 from .continuation import continued, taut_chord
+from .leading import led
 from .saddle import descended
 from .trial import LEADEN, Problem, TimeUpError, Trial
 
 GARBAGE = 0.02
 """Error estimate, relative to the length, above which a coarse answer says nothing about the true one."""
+HOPELESS = 128
+"""Elements from which such an answer is not refined."""
 HEAVY = 3e3
 """Weight ratio above which a cold start is wasted time (measured: from here it needs over 100 iterations or
 fails) and continuation in weight is the first thing to try."""
@@ -154,6 +157,8 @@ def _attempts(problem: Problem, arc_length) -> Iterator[Trial]:
     ]
     if not hold(problem.layered) and (taut or problem.scaling.weight_ratio > HEAVY):
         ways.reverse()
+    if problem.scene.supports and problem.scene.spans:
+        ways.insert(1, lambda: _led(problem))
     if problem.scene.options.elements is None:
         # A soft or sharply bent cable may need more elements before its program has the right minimum at all.
         ways.append(lambda: _direct(problem, _first_mesh(problem, 3)))
@@ -186,6 +191,14 @@ def _direct(problem, arc_length):
             starts += [guess(scene, scaling, arc_length, turns=turns) for turns in (-1, 1)]
     trials = [problem.solve(each) for each in starts]
     yield from sorted((t for t in trials if t is not None), key=lambda trial: trial.energy)
+
+
+def _led(problem):
+    """To the supports from where it hangs without them."""
+    alone = replace(problem.scene, supports=())
+    free = _free(replace(problem, scene=alone, model=reduce(alone)), None)
+    if free is not None and free.stable and free.error < GARBAGE:
+        yield from led(problem, free)
 
 
 def _without_torsion(problem, arc_length):
@@ -226,6 +239,8 @@ def refined(problem, trial):
         if trial.error <= tolerance or trial.slipped:
             return trial
         elements = len(trial.shape.steps)
+        if trial.error > GARBAGE and elements >= HOPELESS:
+            return trial
         # Aim at half the tolerance; at least 1.2 times the elements, at most 4 times.
         factor = np.clip((2 * trial.error / tolerance) ** (1 / order), 1.2, 4.0)
         wanted = mesh.size(elements * factor)
