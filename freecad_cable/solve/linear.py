@@ -91,5 +91,5 @@ def _shortest(matrix, right):
     least, (AᵀA + δ²) x = Aᵀ b, written so that the condition of A is not squared."""
     delta = FREE * np.abs(matrix.data).max()
     size = len(right)
-    both = bmat([[identity(size), matrix], [matrix.T, -(delta**2) * identity(size)]], "csc")
+    both = bmat([[delta * identity(size), matrix], [matrix.T, -delta * identity(size)]], "csc")
     return splu(both).solve(np.concatenate([right, np.zeros(size)]))[size:]
