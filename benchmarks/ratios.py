@@ -117,7 +117,7 @@ def _ourselves():
         }
         yield (
             f"fatrop over ipopt in the solver, {races[0].elements} {scheme} elements, cold",
-            "under 1",
+            "under 0.5",
             f"{sums['fatrop'] / sums['ipopt']:.2f}",
         )
 
