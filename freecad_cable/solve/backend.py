@@ -40,10 +40,12 @@ STEADY = {
     "linsol_lu_fact_tol": 1e-4,
     "linsol_increased_accuracy": False,
     "watchdog_shortened_iter_trigger": 0,
+    "theta_max_fact": 100.0,
 }
 """fatrop 1.1.8 corrects a matrix that is not positive definite without a limit, and no time limit ends that. Its
 defaults brought it there with sliding supports, whose equations it satisfies by strains on which they hardly depend,
-and by trial steps of its watchdog to nodes at 1e40. For the rest see ``yielding``."""
+by trial steps of its watchdog to nodes at 1e40, and by a step to gaps of 1e4 lengths, the most that they let pass, of a
+cable that was four times as long as its way. For the rest see ``yielding``."""
 
 EXACT = 2e-9
 """Yield of what holds the cable, relative to the length, above which fatrop is asked once more."""
