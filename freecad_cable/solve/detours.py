@@ -2,9 +2,9 @@
 """Starts for a cable whose free shape goes through an obstacle.
 
 The nearest equilibrium is looked for first: from the free shape, swayed a little the way in which it is softest, for a
-cable that is lifted or pushed aside exactly in its own plane is caught on a saddle. Then pulled aside where it is
-deepest inside, for a thin plate that it crosses pushes the nodes on either side apart. Where that ends nowhere, the
-slack goes another way, past the obstacles rather than through them.
+cable that is lifted or pushed aside exactly in its own plane is caught on a saddle. Where that ends nowhere, the slack
+goes another way, past the obstacles rather than through them. At last it is pulled aside where it is deepest inside,
+for a thin plate that it crosses pushes the nodes on either side apart.
 """
 
 from itertools import product
@@ -48,8 +48,6 @@ def detours(problem, trial, elements):
         yield on(shape)
     if isinstance(problem.scene.start, Free) or isinstance(problem.scene.end, Free):
         yield on(_laid(problem, trial.shape))
-    for shape in _pulled_aside(problem, trial.shape):
-        yield on(shape)
     others = [trial.swayed(size) for size in FARTHER]
     if problem.scene.spans:
         axes = AXES[np.isin(np.abs(AXES).sum(axis=1), (1, 3))]
@@ -60,6 +58,8 @@ def detours(problem, trial, elements):
     inside = [problem.surroundings.intrusion(shape, False) for shape in others]
     for k in np.argsort(inside, kind="stable")[:MOST]:
         yield on(others[k])
+    for shape in _pulled_aside(problem, trial.shape):
+        yield on(shape)
 
 
 def _laid(problem, shape):

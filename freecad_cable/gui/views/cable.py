@@ -89,11 +89,11 @@ class CableView(View):
     def onChanged(self, view, name):
         if name == "Visibility" and not view.Visibility:
             self.rest()
-        if name == "Visibility" or name in SHOWN:
+        if (name == "Visibility" or name in SHOWN) and not view.Object.Document.Restoring:
             self.mark()
 
     def finishRestoring(self):
-        """FreeCAD has read the properties of the view, of which it says nothing one by one."""
+        """FreeCAD has read the properties of the view; of some it speaks before the objects are complete."""
         self._fade(self._is_old())
         self.mark()
 
