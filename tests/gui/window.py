@@ -77,8 +77,13 @@ class WindowTest(unittest.TestCase):
 
     def open_panel(self, obj):
         self.assertTrue(obj.ViewObject.doubleClicked())
-        self.assertTrue(self.is_open())
+        self.wait_for(lambda: self.is_open() and self.buttons())
         self.pump(0.05)
+
+    def buttons(self):
+        """The box of OK and Cancel, in a list; FreeCAD 1.1 shows it a while after it has opened the panel."""
+        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+        return [each for each in boxes if each.isVisible()]
 
     def widget(self, name, kind=QtGui.QWidget):
         (found,) = FreeCADGui.getMainWindow().findChildren(kind, name)
@@ -86,8 +91,8 @@ class WindowTest(unittest.TestCase):
 
     def press(self, button):
         """OK or Cancel of the panel."""
-        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
-        (box,) = (each for each in boxes if each.isVisible())
+        self.wait_for(self.buttons)
+        (box,) = self.buttons()
         box.button(button).click()
         self.pump(0.05)
         self.assertFalse(self.is_open())

@@ -20,14 +20,16 @@ class Reference(Input):
         super().__init__(obj, "Reference", QtGui.QWidget())
         self.said = QtGui.QLabel()
         self.said.setWordWrap(True)
-        take = QtGui.QPushButton(translate("Cable", "Take the Selection"))
-        take.setObjectName("TakeSelection")
-        take.setToolTip(translate("Cable", "Stand at the edge, face or vertex selected now"))
-        take.clicked.connect(self.take)
+        # Held here: whoever looks a widget up in the window becomes what holds it for PySide 6.11, which then crashes
+        # when the panel is closed.
+        self.button = QtGui.QPushButton(translate("Cable", "Take the Selection"))
+        self.button.setObjectName("TakeSelection")
+        self.button.setToolTip(translate("Cable", "Stand at the edge, face or vertex selected now"))
+        self.button.clicked.connect(self.take)
         row = QtGui.QHBoxLayout(self.widget)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.said, 1)
-        row.addWidget(take)
+        row.addWidget(self.button)
         self.show()
 
     def take(self):
