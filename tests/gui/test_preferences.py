@@ -30,6 +30,9 @@ class PreferencesTest(WindowTest):
 
         def use():
             dialog = QtGui.QApplication.activeModalWidget()
+            if dialog is None:  # not yet
+                QtCore.QTimer.singleShot(100, use)
+                return
             pages = dialog.findChildren(QtGui.QWidget, "CablePreferences")
             seen.extend(pages)
             try:

@@ -62,10 +62,11 @@ class TranslationTest(unittest.TestCase):
                 self.assertEqual(translator.translate(context, text), translation)
 
     def test_the_window_speaks_it(self):
+        self.addCleanup(FreeCADGui.setLocale, "en")
         for language, expected in (
-            ("German", ("Jetzt lösen", "Bericht")),
-            ("Chinese Simplified", ("立即求解", "报告")),
-            ("English", ("Solve Now", "Report")),
+            ("de", ("Jetzt lösen", "Bericht")),
+            ("zh-CN", ("立即求解", "报告")),
+            ("en", ("Solve Now", "Report")),
         ):
             FreeCADGui.setLocale(language)
             QtGui.QApplication.processEvents()
