@@ -17,7 +17,7 @@ from window import WindowTest
 from freecad_cable.document import solving
 from freecad_cable.gui import report_commands
 
-NO_MATPLOTLIB = {"matplotlib": None, "matplotlib.pyplot": None}
+MATPLOTLIB = "matplotlib", "matplotlib.pyplot"
 
 
 class ReportCommandTest(WindowTest):
@@ -120,8 +120,16 @@ class ExampleCommandTest(WindowTest):
         before = set(FreeCAD.listDocuments())
         for name in [name for name in sys.modules if name.startswith("freecad_cable.demo")]:
             del sys.modules[name]
-        with mock.patch.dict(sys.modules, NO_MATPLOTLIB):
+        # mock.patch.dict would forget what else is imported meanwhile, and the scene graph's module not bear that.
+        known = {name: sys.modules.get(name) for name in MATPLOTLIB}
+        sys.modules.update(dict.fromkeys(MATPLOTLIB))
+        try:
             FreeCADGui.runCommand("Cable_Example")
+        finally:
+            for name, module in known.items():
+                del sys.modules[name]
+                if module:
+                    sys.modules[name] = module
         (name,) = set(FreeCAD.listDocuments()) - before
         self.addCleanup(FreeCAD.closeDocument, name)
         document = FreeCAD.getDocument(name)
