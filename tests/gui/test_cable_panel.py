@@ -111,8 +111,7 @@ class CablePanelTest(WindowTest):
         self.kind.MinBendRadius = "60 mm"
         self.compute()
         self.rest()
-        self.pump(0.1)
-        self.assertIn(BAD, self.widget("Verdicts").text())
+        self.wait_for(lambda: BAD in self.widget("Verdicts").text())
         self.assertIn("tighter than the 60 mm", self.widget("Said").text())
 
     def test_a_length_that_cannot_be(self):
@@ -138,14 +137,12 @@ class CablePanelTest(WindowTest):
         self.open_panel(self.cable)
         mode = self.widget("LengthMode")
         mode.setCurrentIndex(mode.findData("Slack"))
-        self.pump(0.1)
-        self.assertFalse(self.widget("Length").isVisible())
+        self.wait_for(lambda: not self.widget("Length").isVisible())
         self.assertTrue(self.widget("Slack").isVisible())
         self.rest()
         self.assertAlmostEqual(self.cable.SolvedLength.Value, 220, delta=1e-6)
         mode.setCurrentIndex(mode.findData("Shortest"))
-        self.pump(0.1)
-        self.assertFalse(self.widget("Slack").isVisible())
+        self.wait_for(lambda: not self.widget("Slack").isVisible())
         # To look for the shortest length may take long; it need not be waited for.
         self.wait_for(lambda: not live.is_moving())
         worker.stop()
