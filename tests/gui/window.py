@@ -76,6 +76,7 @@ class WindowTest(unittest.TestCase):
         return bool(FreeCADGui.Control.activeDialog())
 
     def open_panel(self, obj):
+        self.wait_for(lambda: not self.is_open())
         self.assertTrue(obj.ViewObject.doubleClicked())
         self.wait_for(lambda: self.is_open() and self.buttons())
         self.pump(0.05)
