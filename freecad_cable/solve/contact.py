@@ -131,7 +131,8 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
 def _coarser(problem, trial, warm) -> float:
     """How much longer the elements are where contact begins and ends now than the finest were, which are those where it
     began and ended before: the error goes with them."""
-    return max(1.0, _fineness(trial.shape, _places(problem, trial)) / warm.steps.min())
+    places, _ = _places(problem, trial)
+    return max(1.0, _fineness(trial.shape, places) / warm.steps.min())
 
 
 def _fineness(shape, places) -> float:
@@ -144,16 +145,15 @@ def _fineness(shape, places) -> float:
 def _gathered(problem, found):
     """On meshes whose nodes gather where contact begins and ends, until the shape stays."""
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
-    found, width, expected, path = found.measured_as(np.inf), 1 / FIRST, 0.0, []
+    found, width, expected = found.measured_as(np.inf), 1 / FIRST, 0.0
+    before = here = _places(problem, found)
     try:
         for elements in MESHES:
             width = max(width / GATHER, NARROWEST)
-            places, grips = _looked_up(problem, found)
-            if not len(places):
+            if not len(here[0]):
                 return found.measured_as(None)  # touches nothing, so the strong form holds
-            before, path = _fineness(found.shape, places), [*path, (places, grips)][-2:]
-            start = found.shape.on(mesh.gathered(found.shape, elements, _ahead(path), width))
-            finer = _settled(problem, start, BESIDE, fallback=True)
+            nodes = mesh.gathered(found.shape, elements, _ahead(before, here), width)
+            finer = _settled(problem, found.shape.on(nodes), BESIDE, fallback=True)
             if finer is None:
                 return found
             # As one piece: supports that slide are elsewhere on the one than on the other.
@@ -163,8 +163,9 @@ def _gathered(problem, found):
             if change > LOST and found.measured < LOST:
                 return found  # the finer one has left for another equilibrium
             # A node may lie well by chance, and then the change tells too little: the error goes with the elements.
-            there = _places(problem, finer)
-            finer_by = _fineness(finer.shape, there) / before if len(there) else 1.0
+            fineness = _fineness(found.shape, here[0])
+            before, here = here, _places(problem, finer)
+            finer_by = _fineness(finer.shape, here[0]) / fineness if len(here[0]) else 1.0
             expected = max(expected, change) * min(finer_by, 1.0)
             error = max(change, CHANCE * expected)
             found = finer.measured_as(error)
@@ -179,37 +180,32 @@ def _gathered(problem, found):
     return found
 
 
-def _ahead(path):
-    """Where contacts come to rest, from the last two times that they were looked up: (places, grips), see
-    ``_looked_up``. A node
-    on a round edge or a ball is pushed across that, and so nearly along the cable if the cable touches beside it: mesh
-    by mesh, the cable slides until nothing is left of that."""
-    (before, held), (last, holds) = path[0], path[-1]
-    if len(before) != len(last):
+def _ahead(before, here):
+    """Where contacts come to rest, from the last two times that they were looked up (see ``_places``). A node on a
+    round edge or a ball is pushed across that, and so nearly along the cable if the cable touches beside it: mesh by
+    mesh, the cable slides until nothing is left of that."""
+    (first, held), (last, holds) = before, here
+    if len(first) != len(last):
         return last
-    gone, eased = last - before, holds - held
+    gone, eased = last - first, holds - held
     step = np.divide(-holds * gone, eased, out=np.zeros_like(gone), where=eased != 0)
     known = np.isfinite(step) & (np.abs(step) < FARTHEST_AHEAD * np.abs(gone))
     return np.clip(last + np.where(known, step, 0.0), 0.0, 1.0)
 
 
 def _places(problem, trial):
-    """Arc lengths where contact begins or ends, or is at a point."""
-    return _looked_up(problem, trial)[0]
-
-
-def _looked_up(problem, trial):
-    """``_places``, and of each what obstacles push along the cable there, which is nothing in an equilibrium; NaN where
-    that does not tell where the contact comes to rest."""
+    """(places, grips): arc lengths where contact begins or ends, or is at a point, and of each what obstacles push
+    along the cable there, which is nothing in an equilibrium; NaN where that does not tell where the contact comes to
+    rest."""
     around_it, s = problem.surroundings, trial.shape.arc_length
     forces = trial.contact_forces.sum(axis=1)
     size, along = np.linalg.norm(trial.contact_forces, axis=2).sum(axis=1), trial.frames[:, :, 2]
-    grips = (forces * along).sum(axis=1)
-    places, found = [], []
+    pushed = (forces * along).sum(axis=1)
+    places, grips = [], []
     for a, b in runs(size > 0):
         ends = _ends(s[a:b], size[a:b])
         places += ends
-        found += [grips[a:b].sum()] if len(ends) == 1 else [np.nan, np.nan]
+        grips += [pushed[a:b].sum()] if len(ends) == 1 else [np.nan, np.nan]
     touches = trial.with_itself
     force = np.linalg.norm(touches.forces, axis=1)
     for place in touches.places(problem.own.radius):
@@ -220,8 +216,8 @@ def _looked_up(problem, trial):
     if around_it.deepest(trial.shape):
         worst = int(np.argmin(around_it.between(trial.shape)))
         places.append((s[worst] + s[worst + 1]) / 2)
-    found += [np.nan] * (len(places) - len(found))
-    return np.array(places), np.array(found)
+    grips += [np.nan] * (len(places) - len(grips))
+    return np.array(places), np.array(grips)
 
 
 def _ends(arc_length, force):

@@ -78,12 +78,12 @@ class SecondVariation:
         self.scale = _scale(nlp, parameters)
         self.columns = np.concatenate([[0], np.cumsum(self.nx + self.nu)])
         self.gaps = np.append(self.nx[1:], 0)
-        rows = np.concatenate([[0], np.cumsum(self.gaps + ng)])
+        rows = nlp.row_starts
         jacobian = (*jacobian[:2], np.where(acting[jacobian[0]], jacobian[2], 0.0))
         self.links = self.coupling = None
         if nlp.structure.links:
             jacobian, hessian = self._linked(jacobian, hessian, rows[-1], len(nlp.equality))
-        self.rows = self._blocks(*jacobian, rows, (self.gaps + ng).max())
+        self.rows = self._blocks(*jacobian, rows, np.diff(rows).max())
         self.curvature = self._blocks(*hessian, self.columns, (self.nx + self.nu).max())
         self.sides = ng
 

@@ -166,12 +166,10 @@ def derivatives(inputs, slope, rows, bent) -> dict:
 
 def _yielding(nlp):
     """Indices of the equations beyond the start that are no gaps, and the stages that they are of."""
-    nx, _, ng = zip(*nlp.stage_sizes, strict=True)
-    # The rows of a stage follow its gap, which has the size of the next state.
-    ends = np.cumsum(np.add([*nx[1:], 0], ng))
     rows, stages = [], []
-    for k in range(1, len(ng)):
-        own = [row for row in range(ends[k] - ng[k], ends[k]) if nlp.equality[row]]
+    for k, (_, _, ng) in enumerate(nlp.stage_sizes[1:], 1):
+        end = nlp.row_starts[k + 1]
+        own = [row for row in range(end - ng, end) if nlp.equality[row]]
         rows += own
         stages += [k] * len(own)
     return np.array(rows, int), np.array(stages, int)

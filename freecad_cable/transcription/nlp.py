@@ -83,6 +83,13 @@ class Nlp:
             for part in (self.hessian, self.jacobian)
         )
 
+    @cached_property
+    def row_starts(self) -> np.ndarray:
+        """(n+2,) first row of each stage, and the first after them. A stage begins with its gap, which has the size of
+        the next state."""
+        nx, _, ng = zip(*self.stage_sizes, strict=True)
+        return np.concatenate([[0], np.cumsum(np.append(nx[1:], 0) + ng)])
+
     @property
     def states(self) -> np.ndarray:
         """(n+1, nx) indices into x"""
