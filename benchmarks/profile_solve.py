@@ -130,18 +130,14 @@ def _heard(spent):
 
         def __call__(self, **inputs):
             # Evaluations are summed over all calls of a solver.
-            self.before, begin = self.evaluation(), time.perf_counter()
+            self.before, begin = _evaluation(self.solver.stats()), time.perf_counter()
             answer = self.solver(**inputs)
             self.whole = time.perf_counter() - begin
             return answer
 
-        def evaluation(self):
-            said = self.solver.stats()
-            return sum(said[name] for name in said if name.startswith("t_wall_nlp_"))
-
         def stats(self):
             said = self.solver.stats()
-            evaluation = self.evaluation() - self.before
+            evaluation = _evaluation(said) - self.before
             own = said["fatrop"]["time_total"]
             direction = said["fatrop"]["compute_sd_time"]
             spent[EVALUATION] += evaluation
@@ -153,6 +149,11 @@ def _heard(spent):
     built = backend.built
     with patch.object(backend, "built", lambda *key: Heard(built(*key))):
         yield
+
+
+def _evaluation(said):
+    """Seconds of evaluations in what a solver says."""
+    return sum(said[name] for name in said if name.startswith("t_wall_nlp_"))
 
 
 def table(parts: list[Part]) -> str:

@@ -4,8 +4,7 @@
 import numpy as np
 
 from ..geometry.runs import runs
-from ..geometry.self_contact import self_penetrations
-from ..problem import Free, Tube
+from ..problem import Tube
 from ..result import (
     Balance,
     Contact,
@@ -46,7 +45,7 @@ def solution(problem, trial) -> Solution:
     )
     depth = problem.surroundings.deepest(shape) * length
     status, message = _verdict(scene, trial, check, violation, depth)
-    if status.success and (sentence := _in_itself(problem.own.depths(shape), length)):
+    if status.success and (sentence := _through_itself(problem, shape)):
         status, message = Status.INACCURATE, f"{Status.INACCURATE.value} {sentence}"
     return Solution(
         scene=scene,
@@ -91,24 +90,12 @@ def solution(problem, trial) -> Solution:
     )
 
 
-DEEP = 0.01
-"""Depth, in radii, to which a cable may be in itself."""
-
-
-def through_itself(scene, arc_length, position, quaternion, support_nodes) -> str | None:
+def _through_itself(problem, shape) -> str | None:
     """A sentence if the cable runs through itself, as a shape has it from which no way out was found."""
-    held = list(support_nodes)
-    held += [0] * (not isinstance(scene.start, Free))
-    held += [len(arc_length) - 1] * (not isinstance(scene.end, Free))
-    radius = scene.rod.radius
-    found = self_penetrations(arc_length, position, quaternion, radius, sorted(held))
-    return _in_itself([each for each in found if each[0] > DEEP * radius])
-
-
-def _in_itself(found, unit=1.0):
+    found = problem.own.depths(shape)
     if not found:
         return None
-    depth, here, there = unit * np.array(found[0])
+    depth, here, there = problem.scaling.length * np.array(found[0])
     return (
         f"The cable runs through itself at {here:.3g} m and {there:.3g} m, {depth:.2g} m deep, and no equilibrium was "
         "found in which it does not; change its length or what holds it."

@@ -7,10 +7,13 @@ from dataclasses import fields, is_dataclass, replace
 import numpy as np
 
 from ..geometry import rotation
-from ..problem import Clamp, Clamped, Scene
+from ..geometry.self_contact import self_penetrations
+from ..problem import Clamp, Clamped, Free, Scene
 from ..result import Balance, Energy, Load, Solution
 from ..status import Status
-from .answer import through_itself
+
+DEEP = 0.01
+"""Depth, in radii, to which a cable may be in itself."""
 
 
 def cuts(scene: Scene) -> list[int]:
@@ -43,8 +46,12 @@ def touch(solution) -> bool:
     """Whether one stretch runs through another: then they are no longer independent."""
     if not solution.status.success:
         return False
+    scene, held = solution.scene, list(solution.support_nodes)
+    held += [0] * (not isinstance(scene.start, Free))
+    held += [len(solution.arc_length) - 1] * (not isinstance(scene.end, Free))
     nodes = solution.arc_length, solution.position, solution.quaternion
-    return through_itself(solution.scene, *nodes, solution.support_nodes) is not None
+    found = self_penetrations(*nodes, scene.rod.radius, sorted(held))
+    return any(depth > DEEP * scene.rod.radius for depth, _, _ in found)
 
 
 def _split(scene) -> list[Scene]:

@@ -7,7 +7,7 @@ goes another way, past the obstacles rather than through them. At last it is pul
 for a thin plate that it crosses pushes the nodes on either side apart.
 """
 
-from itertools import product
+from itertools import islice, product
 
 import numpy as np
 
@@ -84,22 +84,24 @@ def _laid(problem, shape):
 
 def _pulled_aside(problem, shape):
     """The shape with the part that is deepest inside pulled past the obstacle, the nearest ways."""
-    around, s = problem.surroundings, shape.arc_length
-    gap = around.between(shape)
+    s, gap = shape.arc_length, problem.surroundings.between(shape)
     inside = max(runs(gap < 0), key=lambda run: -gap[slice(*run)].min(), default=None)
     if inside is None:
         return
     middle = (s[inside[0]] + s[inside[1]]) / 2
     share = np.exp(-(((s - middle) / PULLED_ALONG) ** 2)) * np.minimum(1, 10 * np.minimum(s, 1 - s))
     for pull in PULLS:
-        found = []
-        for axis in AXES / np.linalg.norm(AXES, axis=1)[:, None]:
-            pulled = _through(problem, s, shape.position + pull * share[:, None] * axis)
-            found.append((around.intrusion(pulled), pulled))
-        clear = [pulled for intrusion, pulled in found if intrusion == 0]
-        if clear:
-            yield from clear[:WAYS]
+        if ways := list(islice(_clear(problem, shape, pull * share), WAYS)):
+            yield from ways
             return
+
+
+def _clear(problem, shape, pull):
+    """The shape with its nodes moved by ``pull`` (n+1,), each way that leaves no part of it inside."""
+    for axis in AXES / np.linalg.norm(AXES, axis=1)[:, None]:
+        pulled = _through(problem, shape.arc_length, shape.position + pull[:, None] * axis)
+        if problem.surroundings.intrusion(pulled) == 0:
+            yield pulled
 
 
 def _through(problem, arc_length, position):

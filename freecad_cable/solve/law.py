@@ -32,7 +32,7 @@ class Law:
 
     def curvature(self, moment):
         """(3,) curvature and twist from the moment in the material frame (3,)."""
-        return _Equations.curvature_of(self._limited)(moment, self._given)[0]
+        return _curvature(self._limited)(moment, self._given)[0]
 
     def rate(self, y):
         """(n, 13) derivatives y' of states (n, 13)."""
@@ -54,13 +54,6 @@ class _Equations:
         self.limited, self.given = limited, ca.SX.sym("law", 13)
         parts = ca.vertsplit(self.given, [0, 3, 6, 9, 12, 13])
         self.bend, self.shear, self.natural, self.weight, self.limit = parts
-
-    @staticmethod
-    @lru_cache
-    def curvature_of(limited):
-        law, moment = _Equations(limited), ca.SX.sym("m", 3)
-        function = ca.Function("curvature", [moment, law.given], [law.curvature(moment)[0]])
-        return Numeric(function)
 
     def curvature(self, moment):
         """Curvature, and its change (3, 3) with the moment. Where the rod is held at the limit, κ minimises its energy
@@ -136,6 +129,12 @@ def _turn(q, before):
     v = before[0] * q[1:] - q[0] * before[1:] - ca.cross(q[1:], before[1:])
     sine = ca.norm_2(v) + 1e-300
     return 2 * ca.atan2(ca.sign(w) * sine, ca.fabs(w)) / sine * v
+
+
+@lru_cache
+def _curvature(limited):
+    law, moment = _Equations(limited), ca.SX.sym("m", 3)
+    return Numeric(ca.Function("curvature", [moment, law.given], [law.curvature(moment)[0]]))
 
 
 @lru_cache

@@ -195,8 +195,7 @@ def _direct(problem, arc_length):
 
 def _led(problem):
     """To the supports from where it hangs without them."""
-    alone = replace(problem.scene, supports=())
-    free = _free(replace(problem, scene=alone, model=reduce(alone)), None)
+    free = _of_another(problem, replace(problem.scene, supports=()))
     if free is not None and free.stable and free.error < GARBAGE:
         yield from led(problem, free)
 
@@ -209,11 +208,16 @@ def _without_torsion(problem, arc_length):
     if scene.supports or not (problem.model.twist and rod.isotropic and soft):
         return None
     loose = replace(scene, end=Swivel(scene.end.position, orientation(scene.end)))
-    trial = _free(replace(problem, scene=loose, model=reduce(loose)), None)
+    trial = _of_another(problem, loose)
     if trial is None:
         return None
     shape = trial.shape.on(arc_length)
     return rolled(scene, problem.scaling, arc_length, shape.position, shape.quaternion)
+
+
+def _of_another(problem, scene):
+    """The free shape of another scene, in the units and in the time of this one."""
+    return _free(replace(problem, scene=scene, model=reduce(scene)), None)
 
 
 def _elsewhere(problem, arc_length):
