@@ -11,6 +11,7 @@ import FreeCADGui
 import Part
 from FreeCAD import Placement, Rotation, Vector
 from PySide import QtGui
+from task_panel import press
 
 from freecad_cable.document import make
 
@@ -151,9 +152,7 @@ class Hand:
         update.setCurrentIndex(update.findData("Live"))
 
     def lead_it_through_the_hole(self):
-        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
-        (box,) = (each for each in boxes if each.isVisible())
-        box.button(QtGui.QDialogButtonBox.Ok).click()
+        press()
         self.rest()
         self._select(f"Wall.{edge_of_hole(self.document.Wall)}")
         FreeCADGui.Selection.addSelection(self.document.Name, "Cable")

@@ -8,6 +8,7 @@ import FreeCAD
 import FreeCADGui
 from FreeCAD import Vector
 from PySide import QtGui
+from task_panel import buttons, press
 
 from freecad_cable.document import make, solving
 from freecad_cable.gui.live import live
@@ -78,13 +79,8 @@ class WindowTest(unittest.TestCase):
     def open_panel(self, obj):
         self.wait_for(lambda: not self.is_open())
         self.assertTrue(obj.ViewObject.doubleClicked())
-        self.wait_for(lambda: self.is_open() and self.buttons())
+        self.wait_for(lambda: self.is_open() and buttons())
         self.pump(0.05)
-
-    def buttons(self):
-        """The box of OK and Cancel, in a list; FreeCAD 1.1 shows it a while after it has opened the panel."""
-        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
-        return [each for each in boxes if each.isVisible()]
 
     def widget(self, name, kind=QtGui.QWidget):
         (found,) = FreeCADGui.getMainWindow().findChildren(kind, name)
@@ -92,9 +88,8 @@ class WindowTest(unittest.TestCase):
 
     def press(self, button):
         """OK or Cancel of the panel."""
-        self.wait_for(self.buttons)
-        (box,) = self.buttons()
-        box.button(button).click()
+        self.wait_for(buttons)
+        press(button)
         self.pump(0.05)
         self.assertFalse(self.is_open())
 

@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The seed paper's Table 1 (Du, Jiang, Xiong, Sci Rep 12, 2022) as a fixture: one cable, four lengths."""
+"""The seed paper's Table 1 (Du, Jiang, Xiong, Sci Rep 12, 2022) as a fixture: one cable, four lengths. And how far an
+answer is from a better one."""
 
+import numpy as np
 import pytest
+from scipy.interpolate import CubicHermiteSpline
 
+from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Clamped, Rod, Scene, round_section
 
@@ -27,3 +31,15 @@ def table_1():
         )
 
     return scene
+
+
+@pytest.fixture
+def distance():
+    """Largest distance [m] of a node of a solution from its place on a better one, whose mesh is another."""
+
+    def from_better(solution, best):
+        frames = rotation.tangent(best.quaternion)
+        place = CubicHermiteSpline(best.arc_length, best.position, frames)(solution.arc_length)
+        return np.linalg.norm(place - solution.position, axis=1).max()
+
+    return from_better
