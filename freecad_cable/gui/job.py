@@ -23,6 +23,8 @@ class Job:
         """what the solver is about to do"""
         self.dropped = self.stopped = False
         """nobody wants the answer; a person does not want to wait for it"""
+        self.taken = False
+        """the receiver has it"""
         self.value = self.error = None
         self.done = threading.Event()
 

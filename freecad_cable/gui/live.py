@@ -5,6 +5,8 @@ While something moves, their line moves along; when it rests, they are recompute
 documents, so that a slider, the property editor, a macro and a hand that drags a part are the same.
 """
 
+from functools import partial
+
 import FreeCAD
 from PySide import QtCore, QtGui
 
@@ -27,6 +29,8 @@ class Live(QtCore.QObject):
     """a followed cable lies elsewhere: its key, the ``Verdict`` or None, and what is wrong"""
     rested = QtCore.Signal()
     """the followed cables have been recomputed"""
+    _wanted = QtCore.Signal()
+    """something has moved"""
 
     def __init__(self):
         super().__init__()
@@ -35,11 +39,12 @@ class Live(QtCore.QObject):
         self._moved = {}
         self._unsettled = {}
         self._looking = self._held = False
-        self._soon, self._quiet = QtCore.QTimer(self), QtCore.QTimer(self)
-        for timer, slot, wait in ((self._soon, self._look, 0), (self._quiet, self.settle, QUIET)):
-            timer.setSingleShot(True)
-            timer.setInterval(wait)
-            timer.timeout.connect(slot)
+        # In the order of events a timer is after the painting, a signal before it: the solve runs meanwhile.
+        self._wanted.connect(self._look, QtCore.Qt.QueuedConnection)
+        self._quiet = QtCore.QTimer(self)
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET)
+        self._quiet.timeout.connect(self.settle)
 
     def follow(self, cables):
         """From now on these, besides those that are Live."""
@@ -98,7 +103,6 @@ class Live(QtCore.QObject):
             for each in (self._moved, self._unsettled, self._previews):
                 each.pop(key, None)
         if not self._unsettled:
-            self._soon.stop()
             self._quiet.stop()
 
     def _note(self, obj):
@@ -106,13 +110,13 @@ class Live(QtCore.QObject):
             if has_proxy(each, "Cable"):
                 key = solving.key(each)
                 if key in self._followed or (in_use(each) and each.Update == "Live"):
+                    if not self._moved:
+                        self._wanted.emit()
                     self._moved[key] = self._unsettled[key] = None
-                    if not self._soon.isActive():  # or a steady hand would put it off for ever
-                        self._soon.start(0)
                     self._quiet.start()
 
     def _look(self):
-        keys = list(self._moved)
+        keys, asked = list(self._moved), []
         self._moved.clear()
         for key in keys:
             cable = alive(key)
@@ -120,7 +124,7 @@ class Live(QtCore.QObject):
                 continue
             if is_busy(cable.Document):
                 self._moved[key] = None
-                self._soon.start(QUIET)
+                QtCore.QTimer.singleShot(QUIET, self._look)
                 continue
             worker.drop(cable)
             looked = self._previews.get(key)
@@ -132,9 +136,10 @@ class Live(QtCore.QObject):
             except CableError as error:
                 self._show(key, None, str(error))
             else:
-                worker.preview(key, work, lambda *outcome, key=key: self._receive(key, *outcome))
+                asked.append(worker.preview(key, work, partial(self._receive, key)))
             finally:
                 self._looking = False
+        worker.take_soon(asked)
 
     def _receive(self, key, solution, error):
         looked = self._previews.get(key)

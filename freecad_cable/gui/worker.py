@@ -21,6 +21,10 @@ from .job import Job
 PATIENCE = 0.5
 """[s] How long the window waits for solves before it goes on without them, all cables of a recompute together."""
 
+MOMENT = 0.03
+"""[s] How long it waits for lines of cables that move, all together: to paint without them takes as long on a slow
+machine, and then there is nobody to take them."""
+
 KEPT = 32
 """Answers that are kept, for undo and redo."""
 
@@ -94,6 +98,14 @@ class Worker(QtCore.QObject):
             self._previews[key] = job
             self._start()
             self._lock.notify()
+        return job
+
+    def take_soon(self, previews):
+        """Take those that are done in a moment; the others come when they come."""
+        until = time.monotonic() + MOMENT
+        for job in previews:
+            if job.done.wait(max(0.0, until - time.monotonic())):
+                self._take(job)
 
     def jobs(self):
         """Those that are not done, in the order they were asked for."""
@@ -178,7 +190,9 @@ class Worker(QtCore.QObject):
 
     def _take(self, job):
         if job.receive is not None:
-            job.receive(job.value, job.error)
+            if not job.taken:
+                job.taken = True
+                job.receive(job.value, job.error)
             return
         if self._jobs.get(job.key) is not job:
             return

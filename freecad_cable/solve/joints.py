@@ -20,7 +20,7 @@ def add(linear, shape, values, structure, law, states, parts):
     if structure.slides:
         lengths = linear.unknowns(len(parts))
         _free_lengths(linear, law, states, parts, lengths)
-        linear.add([(np.ones((1, len(lengths))), lengths)], 0.0)
+        linear.add([(np.ones((1, len(lengths))), lengths)], 0.0, border=True)
     for j, joint in enumerate(shape.joints):
         here, beyond = states[j][-1], states[j + 1][0]
         matrix, stiffness = _held(structure.supports[j], values["supports"][j], here, joint)
@@ -33,15 +33,15 @@ def add(linear, shape, values, structure, law, states, parts):
         bent = np.zeros((6, 12))
         bent[:, :6] = stiffness
         linear.add(
-            [(eye[6:], b), (-eye[6:] + bent, a), (matrix.T, linear.unknowns(len(matrix)))],
+            [(eye[6:], b), (-eye[6:] + bent, a), (matrix.T, linear.unknowns(len(matrix), a))],
             load - matrix.T @ multipliers,
         )
         if structure.sliding[j]:
             flux, slope = _flux(law, here)
             flux_beyond, slope_beyond = _flux(law, beyond)
-            linear.add([(slope_beyond, b), (-slope, a)], flux - flux_beyond)
+            linear.add([(slope_beyond, b), (-slope, a)], flux - flux_beyond, border=True)
         elif structure.slides:
-            linear.add([(np.ones((1, j + 1)), lengths[: j + 1])], 0.0)
+            linear.add([(np.ones((1, j + 1)), lengths[: j + 1])], 0.0, border=True)
 
 
 def _held(kind, support, state, joint):
@@ -91,7 +91,5 @@ def _free_lengths(linear, law, states, parts, lengths):
         count = len(share)
         moved = np.einsum("kij,kj->ki", linear.after[begin : begin + count], growth)
         rows = linear.element_rows[begin : begin + count, None] + np.arange(12)
-        linear.rows.append(rows.ravel())
-        linear.cols.append(np.full(rows.size, column))
-        linear.data.append(-moved.ravel())
+        linear.add_to(rows.ravel(), column, -moved.ravel())
         begin += count

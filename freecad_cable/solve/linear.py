@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The linearised boundary value problem of a rod: sparse rows, collected piece by piece."""
+"""The linearised boundary value problem of a rod: a band with a border, collected piece by piece."""
 
 import numpy as np
+from scipy.linalg.lapack import dgbsv
 from scipy.sparse import bmat, csc_matrix, identity
 from scipy.sparse.linalg import splu
 
 
 class LinearProblem:
-    """Unknowns: 12 a node, the nodes of one stretch after those of the other (a joint twice), then single ones."""
+    """Unknowns: 12 a node, the nodes of one stretch after those of the other (a joint twice), then single ones. Near
+    each other along the rod they make a band; what all elements share and as many rows make its border."""
 
     def __init__(self, elements):
         """``elements``: how many each stretch has."""
@@ -16,10 +18,13 @@ class LinearProblem:
         self.size = int(self.begin[-1])
         self.rows, self.cols, self.data, self.right = [], [], [], []
         self.height = 0
+        # Where on the rod rows and columns are, in columns of nodes; in the border they are nowhere.
+        self.at_rows, self.at_cols = [], np.arange(self.size)
 
-    def unknowns(self, count):
-        """Columns of new single unknowns."""
+    def unknowns(self, count, at=np.inf):
+        """Columns of new single unknowns, ``at`` these of a node or in the border."""
         self.size += count
+        self.at_cols = np.append(self.at_cols, np.full(count, np.max(at) + 0.5))
         return np.arange(self.size - count, self.size)
 
     def node(self, stretch, index):
@@ -28,7 +33,7 @@ class LinearProblem:
             index += self.elements_of[stretch] + 1
         return self.begin[stretch] + 12 * index + np.arange(12)
 
-    def add(self, blocks, right):
+    def add(self, blocks, right, border=False):
         """Rows Σ matrix · unknowns[columns] = right, for ``blocks`` of (matrix (k, c), columns (c,))."""
         for matrix, columns in blocks:
             i, j = np.nonzero(matrix)
@@ -36,6 +41,9 @@ class LinearProblem:
             self.cols.append(columns[j])
             self.data.append(matrix[i, j])
         self.right.append(np.atleast_1d(right))
+        beside = [self.at_cols[columns].mean() for _, columns in blocks]
+        middle = np.inf if border else np.mean(beside)
+        self.at_rows.append(np.full(len(self.right[-1]), middle))
         self.height += len(self.right[-1])
 
     def elements(self, transfer, defects):
@@ -53,9 +61,16 @@ class LinearProblem:
         self.cols += [(first[:, None, None] + shift + col).ravel() for shift in (0, 12)]
         self.data += [-before.ravel(), after.ravel()]
         self.right.append(-np.einsum("kij,kj->ki", after, defects).ravel())
+        self.at_rows.append(np.repeat(first + 11.5, 12))
         self.element_rows = self.height + 12 * np.arange(len(after))
         self.after = after
         self.height += 12 * len(after)
+
+    def add_to(self, rows, column, values):
+        """Entries (k,) more, in rows (k,) that are there."""
+        self.rows.append(rows)
+        self.cols.append(np.full(len(rows), column))
+        self.data.append(values)
 
     def ends(self, first, last):
         """Six conditions (matrix (6, 12), values) on the first node and six on the last."""
@@ -64,21 +79,49 @@ class LinearProblem:
 
     def solve(self):
         """Corrections of the nodes, (count+1, 12) of each stretch."""
-        matrix = csc_matrix(
-            (np.concatenate(self.data), (np.concatenate(self.rows), np.concatenate(self.cols))),
-            (self.size, self.size),
-        )
-        right = np.concatenate(self.right)
-        try:
-            # In order the matrix is a band, which no other order beats.
-            answer = splu(matrix, permc_spec="NATURAL").solve(right)
-            resolved = np.abs(answer).max() < 1e6 * np.abs(right).max() + 1e-300
-        except RuntimeError:
-            resolved = False
-        if not resolved:
-            answer = _shortest(matrix, right)
+        rows, cols, data, right = map(np.concatenate, (self.rows, self.cols, self.data, self.right))
+        row_order = np.argsort(np.concatenate(self.at_rows), kind="stable")
+        col_order = np.argsort(self.at_cols, kind="stable")
+        rows, cols = np.argsort(row_order)[rows], np.argsort(col_order)[cols]
+        right = right[row_order]
+        ordered = _banded(rows, cols, data, right, np.isfinite(self.at_cols).sum())
+        if ordered is None or not np.abs(ordered).max() < 1e6 * np.abs(right).max() + 1e-300:
+            ordered = _shortest(csc_matrix((data, (rows, cols))), right)
+        answer = np.empty(self.size)
+        answer[col_order] = ordered
         nodes = answer[: self.begin[-1]].reshape(-1, 12)
         return np.split(nodes, self.begin[1:-1] // 12)
+
+
+def _banded(rows, cols, data, right, width):
+    """Of a matrix whose first ``width`` columns and rows are a band and the others its border; None if the band is
+    singular."""
+    inside = (rows < width) & (cols < width)
+    i, j = rows[inside], cols[inside]
+    below, above = (i - j).max(), (j - i).max()
+    band = np.zeros((2 * below + above + 1, width), order="F")
+    band[below + above + i - j, j] = data[inside]
+    total = len(right)
+    border = np.zeros((total, total - width))
+    beside = cols >= width
+    border[rows[beside], cols[beside] - width] = data[beside]
+    *_, found, singular = dgbsv(
+        below, above, band, np.column_stack([right[:width], border[:width]])
+    )
+    if singular:
+        return None
+    if width == total:
+        return found[:, 0]
+    under = np.zeros((total - width, width))
+    beneath = (rows >= width) & (cols < width)
+    under[rows[beneath] - width, cols[beneath]] = data[beneath]
+    try:
+        shared = np.linalg.solve(
+            border[width:] - under @ found[:, 1:], right[width:] - under @ found[:, 0]
+        )
+    except np.linalg.LinAlgError:
+        return None
+    return np.concatenate([found[:, 0] - found[:, 1:] @ shared, shared])
 
 
 FREE = 1e-7

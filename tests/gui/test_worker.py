@@ -3,6 +3,7 @@
 
 import os
 import tempfile
+import threading
 import time
 from unittest import mock
 
@@ -35,6 +36,28 @@ class WorkerTest(BesideTest):
             self.cable.Length = 350
             self.document.recompute()
         self.assertNew(350)
+
+    def test_a_line_that_is_there_in_a_moment(self):
+        """It is taken before the window is painted, and once only."""
+        taken = []
+        job = worker.preview("quick", lambda watch: 1, lambda *outcome: taken.append(outcome))
+        with mock.patch.object(worker_module, "MOMENT", 10):
+            worker.take_soon([job])
+        self.assertEqual(taken, [(1, None)])
+        self.pump(0.1)
+        self.assertEqual(len(taken), 1)
+
+    def test_a_line_that_takes_longer(self):
+        """The window does not wait for it; it comes by itself."""
+        gate, taken = threading.Event(), []
+        job = worker.preview("slow", lambda watch: gate.wait(10), lambda *got: taken.append(got))
+        begin = time.monotonic()
+        worker.take_soon([job])
+        self.assertLess(time.monotonic() - begin, 5)
+        self.assertEqual(taken, [])
+        gate.set()
+        self.wait_for(lambda: taken)
+        self.assertEqual(taken, [(True, None)])
 
     def test_the_latest_edit_wins(self):
         self.edit(350)

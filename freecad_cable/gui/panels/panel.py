@@ -28,6 +28,7 @@ class Panel(QtCore.QObject):
 
     icon_name = ""
     _last = None
+    _changed = QtCore.Signal()
 
     def __init__(self, obj):
         super().__init__()
@@ -69,9 +70,9 @@ class Panel(QtCore.QObject):
         live.moved.connect(self._moved)
         live.rested.connect(self.refresh)
         worker.changed.connect(self.refresh)
-        self._soon = QtCore.QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self.refresh)
+        # Once for all that changes in one event, and, other than a timer, before the window is painted.
+        self._changed.connect(self._refresh_changed, QtCore.Qt.QueuedConnection)
+        self._is_changed = False
         self._followed = [solving.key(cable) for cable in self.cables()]
         self._shown = {obj.Name, *(name for _, name in self._followed)}
         live.follow(self.cables())
@@ -125,8 +126,10 @@ class Panel(QtCore.QObject):
     # Observer of the documents.
 
     def slotChangedObject(self, obj, name):
-        if obj.Name in self._shown and obj.Document is self.document:
-            self._soon.start()
+        ours = obj.Name in self._shown and obj.Document is self.document
+        if ours and not self._is_changed:
+            self._is_changed = True
+            self._changed.emit()
 
     def slotDeletedObject(self, obj):
         if obj is self.object and self.is_open:
@@ -160,6 +163,10 @@ class Panel(QtCore.QObject):
             label.setVisible(on)
 
     # In the window.
+
+    def _refresh_changed(self):
+        self._is_changed = False
+        self.refresh()
 
     def refresh(self):
         """Everything as it is in the document."""
@@ -242,7 +249,6 @@ class Panel(QtCore.QObject):
         # first, and Qt 6 crash over that.
         Panel._last = self, self.form
         self._tick.stop()
-        self._soon.stop()
         FreeCAD.removeDocumentObserver(self)
         live.moved.disconnect(self._moved)
         live.rested.disconnect(self.refresh)
