@@ -50,13 +50,14 @@ class Piece:
 
 def read_obstacles(cable, held: Scene) -> tuple:
     """The obstacles that the cable of a scene without them may reach. Errors: ``DocumentError``."""
-    found = [each for pair in pairs(cable.Obstacles) for each in _read(cable, pair)]
+    followers = [cable, *dependents(cable)]
+    found = [each for pair in pairs(cable.Obstacles) for each in _read(cable, pair, followers)]
     return tuple(_stated(cable, each, held.rod.radius) for each in _in_reach(found, held))
 
 
-def _read(cable, pair):
+def _read(cable, pair, followers):
     root = pair[0]
-    if root is cable or any(obj is root for obj in dependents(cable)):
+    if any(obj is root for obj in followers):
         raise wrong(
             cable,
             "Obstacles",

@@ -7,14 +7,15 @@ Arrays in SI units, as the core has them, so that they come back bit by bit.
 
 import hashlib
 from dataclasses import fields, is_dataclass
+from functools import lru_cache
 
 import numpy as np
 from FreeCAD import Vector
 
 from ..problem import End, Mesh, Obstacle, Scene, Support
-from ..result import Load, Solution
+from ..result import Contact, Load, Solution
 from ..shape.nodes import Nodes
-from ..shape.units import vector_to_si
+from ..shape.units import to_si, vector_to_si
 from ..status import Status
 from .property_table import Prop
 
@@ -95,10 +96,15 @@ def kept(cable, scene: Scene) -> Solution | None:
     reactions = [Load(np.array(force), np.array(moment)) for force, moment in loads]
     # An error since has cleared what a user sees; as a start, no load is near enough.
     reactions = reactions or [Load(np.zeros(3), np.zeros(3)) for _ in cable.NodeOfSupport]
+    # What it touched, whatever that was: with it goes the error of the nodes, which gather there.
+    pushes = zip(cable.ContactPlaces, cable.ContactForces, strict=True)
+    contacts = [Contact(to_si("length", at), None, np.array(force)) for at, force in pushes]
     return Solution(
         scene=scene,
         status=status,
         message=status.value,
+        contacts=tuple(contacts),
+        position_error=to_si("length", cable.ErrorEstimate),
         support_nodes=tuple(cable.NodeOfSupport),
         support_reactions=tuple(reactions),
         **_arrays(cable),
@@ -152,6 +158,7 @@ def _text(value, decimals):
     return repr(value)
 
 
+@lru_cache(1024)
 def _surface(mesh):
     """A mesh has too many numbers to ask each for its rounding: sums of them with weights that have no pattern."""
     count = len(mesh.vertices)

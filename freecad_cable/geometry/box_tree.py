@@ -7,6 +7,8 @@ BRANCHES = 8
 """A wide tree has few levels, and each level costs a dozen NumPy calls."""
 LEAF = 8
 """Most things in a leaf."""
+ALONE = 12
+"""Most things of which to ask each is quicker than any tree: a box has so many triangles."""
 MOST_PAIRS = 1 << 17
 """Bound on pairs of point and node held at a time, for memory."""
 
@@ -20,7 +22,7 @@ class BoxTree:
 
     def __init__(self, corners, axes):
         depth = 0
-        while LEAF * BRANCHES**depth < len(corners):
+        while len(corners) > max(ALONE, LEAF * BRANCHES**depth):
             depth += 1
         leaves = BRANCHES**depth
         size = -(-len(corners) // leaves)
@@ -49,6 +51,8 @@ class BoxTree:
         ``squared(points (p, 3), things (p,))`` gives the squared distances (p,) of things.
         """
         node = np.zeros(len(points), int)
+        if not self._levels:
+            return self._in_leaves(points, node, squared)[1]
         for low, high in self._levels:
             gap = to_boxes(points, low[node], high[node])
             node = BRANCHES * node + gap.argmin(axis=1)

@@ -71,6 +71,7 @@ def _solid(name, shape) -> _Solid:
     return known
 
 
+@lru_cache(MOST)
 def _deflection(solid, radius):
     """A power of two [mm], so that cables of about the same radius share the triangles."""
     size = float(np.linalg.norm(np.ptp(solid.corners, axis=0)))

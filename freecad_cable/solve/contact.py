@@ -115,17 +115,18 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
     """The equilibrium from an earlier one in contact; None if there is none near, or none in contact."""
     known = warm.error is not None
     problem.apart = known and problem.own.links(warm, problem.own.radius) is not None
-    clear = problem.surroundings.between(warm).min(initial=np.inf) > problem.surroundings.radius
-    if clear and not problem.apart:
+    around_it = problem.surroundings
+    if not known and around_it.between(warm).min(initial=np.inf) > around_it.radius:
         return None
     found = _settled(problem, warm, BESIDE, fallback=known)
     if found is None or not found.touches or not found.stable:
         return None
-    if known and not problem.surroundings.deepest(found.shape):
+    error = np.inf
+    if known and not around_it.deepest(found.shape):
         error = warm.error * _coarser(problem, found, warm)
         if error <= problem.scene.options.tolerance:
             return found.measured_as(error)
-    return _gathered(problem, found)
+    return _gathered(problem, found, error)
 
 
 def _coarser(problem, trial, warm) -> float:
@@ -142,10 +143,11 @@ def _fineness(shape, places) -> float:
     return np.maximum(steps[here - 1], steps[here]).max()
 
 
-def _gathered(problem, found):
-    """On meshes whose nodes gather where contact begins and ends, until the shape stays."""
+def _gathered(problem, found, error=np.inf):
+    """On meshes whose nodes gather where contact begins and ends, until the shape stays. ``error`` of what was found,
+    as far as it is known."""
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
-    found, width, expected = found.measured_as(np.inf), 1 / FIRST, 0.0
+    found, width, expected = found.measured_as(error), 1 / FIRST, 0.0
     before = here = _places(problem, found)
     try:
         for elements in MESHES:

@@ -5,6 +5,8 @@ from FreeCAD import Vector
 from scenes import DocumentTest
 
 from freecad_cable.document import make
+from freecad_cable.document.read_scene import read_scene
+from freecad_cable.document.stored_solution import kept
 
 # Of the ends of the interval of lengths, relative: equilibrium.length_design.PRECISION.
 PRECISION = 1e-5
@@ -145,6 +147,10 @@ class ContactTest(DocumentTest):
         places = cable.ContactPlaces
         self.assertAlmostEqual((places[0] + places[-1]) / 2, 150, delta=0.01 * 300)
         self.assertAlmostEqual(cable.SmallestClearance.Value, 0, delta=0.01 * 3.5)
+        # What the next solve starts from knows it too, for it need not refine again what is fine enough.
+        start = kept(cable, read_scene(cable))
+        self.assertEqual([1e3 * contact.arc_length for contact in start.contacts], list(places))
+        self.assertEqual(1e3 * start.position_error, cable.ErrorEstimate.Value)
         cable.Obstacles = None
         self.compute()
         self.assertEqual((cable.ContactForces, cable.ContactPlaces), ([], []))

@@ -138,3 +138,13 @@ def test_a_cable_slides_off_the_top_of_a_ball(over):
     solution = find_equilibrium(ball, start=over).raise_for_status()
     assert solution.energy.total < 0.9 * over.energy.total
     assert np.abs(solution.position[:, 1]).max() > EFFECTIVE / 2
+
+
+@pytest.mark.parametrize("inside", [0.05, 0.1])
+def test_held_a_little_inside_the_floor(inside):
+    """By ``inside`` radii, along it. Over the first √(2 δ 10 r) it may be as deep, and there it lies on the floor: a
+    clamped beam that rises by δ over a length d has the curvature 3 δ/d² at the clamp, and so a radius of 10 r / 1.5.
+    """
+    solution = find_equilibrium(laid_down(-inside * RADIUS, 1e-4)).raise_for_status()
+    # A beam shortens by (dδ/dx)², 1 % at most; the moment at the clamp is of an element of 1e-3 d.
+    assert solution.min_bend_radius == pytest.approx((10 * RADIUS / 1.5, 0.0), rel=0.02)
