@@ -70,6 +70,7 @@ def _in_one_piece(scene, start, watch, apart):
         return problem
     problem.parts = apart
     from ..solve.effects import find
+    from ..solve.search import finer
     from ..solve.trial import TimeUpError
 
     try:
@@ -84,7 +85,12 @@ def _in_one_piece(scene, start, watch, apart):
             message=f"{Status.NOT_CONVERGED.value} {_advice(scene)}",
             solver=effort(problem, None),
         )
-    return solution(problem, trial)
+    found = solution(problem, trial)
+    if trial.error <= scene.options.tolerance and not found.status.success:
+        # The checks put splines through the nodes, and may need more of these than the answer.
+        trial = finer(problem, trial)
+        found = solution(problem, trial)
+    return found
 
 
 def find_equilibria(scene: Scene) -> list[Solution]:

@@ -16,7 +16,7 @@ import numpy as np
 from ..transcription.nlp import Nlp, build
 from ..transcription.numeric import Numeric
 from ..transcription.structure import Structure
-from .yielding import RUNAWAY, YieldingProgram, derivatives
+from .yielding import MORE_RIGID, RIGID, RUNAWAY, SHARE, YieldingProgram, derivatives
 
 TOLERANCE = 1e-9
 """On the scaled optimality conditions. Far below the discretisation error of any mesh used here (1e-8 at
@@ -155,10 +155,10 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
         if multipliers.any():
             multipliers = multipliers.copy()
             multipliers[form.rows] = form.prices(x0, parameters, multipliers)
-        found, known = form.start(x0, multipliers, parameters)
-        for _ in range(1 + CORRECTIONS):
-            success, found, known = asked(found, form.parameters(parameters, known), known)
-            if not success or np.abs(found[form.yields]).max(initial=0.0) < EXACT:
+        begun = form.start(x0, multipliers, parameters)
+        for rigidity in RIGID:
+            success, found, known = _held(form, asked, parameters, *begun, rigidity)
+            if success:
                 break
         x, multipliers = form.read(found, known, parameters)
     return RawSolution(
@@ -169,3 +169,18 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
         time=time.perf_counter() - begin,
         solver=name,
     )
+
+
+def _held(form, asked, parameters, found, known, rigidity):
+    """(success, decision vector, multipliers) of a yielding program, asked until next to nothing yields."""
+    before = np.inf
+    for _ in range(1 + CORRECTIONS):
+        given = form.parameters(parameters, known, rigidity)
+        success, found, known = asked(found, given, known)
+        left = np.abs(found[form.yields]).max(initial=0.0)
+        if not success or left < EXACT:
+            break
+        if left > SHARE * before:
+            rigidity *= MORE_RIGID
+        before = left
+    return success, found, known

@@ -68,7 +68,8 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
                 found = _gathered(problem, found)
             if best is None or _rank(found, around_it) < _rank(best, around_it):
                 best = found
-            if best.stable and not around_it.deepest(best.shape):
+            # One that does not touch what was in its way has gone to another equilibrium altogether.
+            if best.stable and best.touches and not around_it.deepest(best.shape):
                 return best
     except TimeUpError:
         if best is None:

@@ -235,6 +235,17 @@ def off_saddle(problem, trial):
     return descended(trial, problem.solve, 0.1, lambda t: t.stable or t.error > GARBAGE)
 
 
+def finer(problem, trial):
+    """On twice as many elements; the same if that is not to be had, or features of obstacles belong to its nodes."""
+    if trial.touches or problem.scene.options.elements is not None:
+        return trial
+    nodes = mesh.refined(trial.shape, mesh.size(2 * len(trial.shape.steps)))
+    try:
+        return problem.solve(trial.shape.on(nodes)) or trial
+    except TimeUpError:
+        return trial
+
+
 def refined(problem, trial):
     """Re-mesh until the error estimate is within the tolerance, or the mesh as fine as it may be."""
     tolerance = problem.scene.options.tolerance

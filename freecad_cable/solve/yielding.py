@@ -4,8 +4,8 @@
 fatrop satisfies an equation of a stage by the controls of the stages before it. A strain moves the end of its element
 by h² and turns it by h, so for an equation of an end or a support huge strains follow; on fine meshes rounding then
 makes matrices indefinite that are not, and fatrop corrects them without a limit, where no time limit reaches it. So
-each of these equations g = 0 becomes g = e with a control e of its own that costs λ₀ e + ½ RIGIDITY e². Then e is
-(λ − λ₀)/RIGIDITY, and nothing is left of it with the right λ₀: the augmented Lagrangian (Hestenes 1969; Powell 1969),
+each of these equations g = 0 becomes g = e with a control e of its own that costs λ₀ e + ½ ρ e². Then e is
+(λ − λ₀)/ρ, and nothing is left of it with the right λ₀: the augmented Lagrangian (Hestenes 1969; Powell 1969),
 with a penalty on controls, where it bends no valley for the iteration to follow.
 
 And fatrop corrects an indefinite matrix by a multiple of the identity, so variables must be of one kind: strains are
@@ -20,9 +20,14 @@ from ..transcription.nlp import Nlp
 from ..transcription.numeric import Numeric
 from ..transcription.writer import from_triplets
 
-RIGIDITY = 1e10
-"""Forces are of order one (see ``scaling``), and so are multipliers: one solve leaves 1e-10 of the length. Larger ones
-lose the digits of the elements' own stiffness in those of the ends'."""
+RIGID = (1e6, 1e5)
+"""ρ, and another that is tried where that fails. Forces are of order one (see ``scaling``), and so are multipliers: one
+solve leaves 1e-6 of the length, and the next, of a step or two, the square of that. What is more rigid drowns in its
+rounding what little holds a cable that may nearly roll: fatrop takes a minimum for none and creeps (of the 1000 random
+scenes of `benchmarks/extreme.py` 15 failed with 1e10, 2 with 1e6)."""
+MORE_RIGID = 1e3
+"""Factor for a cable that is so stiff itself that a yield is still more than ``SHARE`` of the one before."""
+SHARE = 0.1
 RUNAWAY = 1e6
 """Positions in lengths, strains in units of their own, that no cable has."""
 WRUNG = 30.0
@@ -56,10 +61,10 @@ class YieldingProgram:
 
     def _write(self, nlp):
         count, rows = nlp.p.numel(), self.rows
-        x, p = ca.MX.sym("x", self.size), ca.MX.sym("p", count + len(rows) + len(self._kept))
+        x, p = ca.MX.sym("x", self.size), ca.MX.sym("p", count + len(rows) + len(self._kept) + 1)
         factor, lam = ca.MX.sym("lam_f"), ca.MX.sym("lam_g", len(nlp.equality))
         e, price = x[self.yields.tolist()], p[count : count + len(rows)]
-        units = ca.vertcat(1, p[count + len(rows) :])
+        units, rigidity = ca.vertcat(1, p[count + len(rows) : -1]), p[-1]
         unit, per = units[self._strain.tolist()], 1 / units[self._carried.tolist()]
         at = x[self.own.tolist()] * unit, p[:count]
 
@@ -74,7 +79,7 @@ class YieldingProgram:
         sane = ca.logic_and(_largest(x) < RUNAWAY, _largest(turns) < WRUNG)
         sure = factor.attachAssert(sane, "the cable ran away")
         (hessian,) = own([nlp.hessian.nz[:]], *at, sure, per * lam)
-        slope = ca.vertcat(gradient * unit, price + RIGIDITY * e)
+        slope = ca.vertcat(gradient * unit, price + rigidity * e)
         slope = slope[np.argsort(np.append(self.own, self.yields)).tolist()]
         aside = ca.Sparsity.triplet(len(nlp.equality), len(rows), rows.tolist(), range(len(rows)))
         g = per * g - ca.MX(ca.DM(aside, 1)) @ e
@@ -92,10 +97,10 @@ class YieldingProgram:
             np.append(self.own[bent_columns], self.yields),
             ca.vertcat(
                 unit[bent_rows.tolist()] * hessian * unit[bent_columns.tolist()],
-                factor * RIGIDITY * ones,
+                factor * rigidity * ones,
             ),
         )
-        f = energy + ca.dot(price, e) + RIGIDITY / 2 * ca.sumsqr(e)
+        f = energy + ca.dot(price, e) + rigidity / 2 * ca.sumsqr(e)
         self.program = {"x": x, "p": p, "f": f, "g": g}
         # The plug-in's form of the Hessian has a gradient, which it never reads.
         self.derivatives = derivatives(
@@ -116,9 +121,10 @@ class YieldingProgram:
         units = self._units(parameters)
         return found[self.own] * units[self._strain], multipliers / units[self._carried]
 
-    def parameters(self, given, multipliers) -> np.ndarray:
-        """Parameters of this program from those of the ``Nlp`` and multipliers whose yields are to vanish."""
-        return np.concatenate([given, multipliers[self.rows], self._units(given)[1:]])
+    def parameters(self, given, multipliers, rigidity) -> np.ndarray:
+        """Parameters of this program from those of the ``Nlp``, multipliers whose yields are to vanish, and ρ."""
+        units = self._units(given)[1:]
+        return np.concatenate([given, multipliers[self.rows], units, [rigidity]])
 
     def _units(self, parameters):
         """Of positions and of strains: 1/√stiffness up to a power of two, with which nothing is rounded."""
