@@ -4,8 +4,6 @@
 The only file that spells a solver's options or return strings.
 """
 
-import contextlib
-import io
 import time
 from dataclasses import dataclass
 from functools import lru_cache
@@ -141,9 +139,7 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
 
     def asked(start, given, known):
         nonlocal iterations
-        # A cable that ran away is told with all its numbers.
-        with contextlib.redirect_stderr(io.StringIO()):
-            x, *_, lam, _ = solver(x0=start, lam_g0=known, p=given, lbg=0.0, ubg=upper)
+        x, *_, lam, _ = solver(x0=start, lam_g0=known, p=given, lbg=0.0, ubg=upper)
         stats = solver.stats()
         iterations += int(stats["iter_count"])
         return bool(stats["success"]), x, lam

@@ -148,14 +148,17 @@ def _gathered(problem, found, error=np.inf):
     """On meshes whose nodes gather where contact begins and ends, until the shape stays. ``error`` of what was found,
     as far as it is known."""
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
-    found, width, expected = found.measured_as(error), 1 / FIRST, 0.0
+    found, width = found.measured_as(error), 1 / FIRST
+    expected = last = 0.0
     before = here = _places(problem, found)
     try:
         for elements in MESHES:
-            width = max(width / GATHER, NARROWEST)
             if not len(here[0]):
                 return found.measured_as(None)  # touches nothing, so the strong form holds
-            nodes = mesh.gathered(found.shape, elements, _ahead(before, here), width)
+            ahead = _ahead(before, here)
+            # Nodes that gather beside the way of a contact would not let it pass.
+            width = max(width / GATHER, NARROWEST, np.abs(ahead - here[0]).max())
+            nodes = mesh.gathered(found.shape, elements, ahead, width)
             finer = _settled(problem, found.shape.on(nodes), BESIDE, fallback=True)
             if finer is None:
                 return found
@@ -165,11 +168,13 @@ def _gathered(problem, found, error=np.inf):
             change = float(np.linalg.norm(moved, axis=1).max())
             if change > LOST and found.measured < LOST:
                 return found  # the finer one has left for another equilibrium
-            # A node may lie well by chance, and then the change tells too little: the error goes with the elements.
+            # A node may lie well by chance, and then one change tells too little: the error goes with the elements. Two
+            # that are small are no chance.
             fineness = _fineness(found.shape, here[0])
             before, here = here, _places(problem, finer)
             finer_by = _fineness(finer.shape, here[0]) / fineness if len(here[0]) else 1.0
-            expected = max(expected, change) * min(finer_by, 1.0)
+            expected = max(min(expected, last), change) * min(finer_by, 1.0)
+            last = change
             error = max(change, CHANCE * expected)
             found = finer.measured_as(error)
             deep = (

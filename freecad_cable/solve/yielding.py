@@ -31,8 +31,8 @@ SHARE = 0.1
 RUNAWAY = 1e6
 """Positions in lengths, strains in units of their own, that no cable has."""
 WRUNG = 30.0
-"""Strain over one element, in radians for its turn, that no cable has. Where one of the two is passed the curvature of
-the Lagrangian is an error, which ends the solve: powers of it overflow, and fatrop does not come back from that."""
+"""Strain over one element, in radians for its turn, that no cable has. Where one of the two is passed the energy is
+infinite, so that no step leads there: powers of it overflow, and fatrop does not come back from that."""
 
 
 class YieldingProgram:
@@ -77,8 +77,7 @@ class YieldingProgram:
         (g,), (jacobian,) = own([nlp.g], *at), own([nlp.jacobian.nz[:]], *at)
         (turns,) = own([nlp.turns], *at)
         sane = ca.logic_and(_largest(x) < RUNAWAY, _largest(turns) < WRUNG)
-        sure = factor.attachAssert(sane, "the cable ran away")
-        (hessian,) = own([nlp.hessian.nz[:]], *at, sure, per * lam)
+        (hessian,) = own([nlp.hessian.nz[:]], *at, factor, per * lam)
         slope = ca.vertcat(gradient * unit, price + rigidity * e)
         slope = slope[np.argsort(np.append(self.own, self.yields)).tolist()]
         aside = ca.Sparsity.triplet(len(nlp.equality), len(rows), rows.tolist(), range(len(rows)))
@@ -100,7 +99,8 @@ class YieldingProgram:
                 factor * rigidity * ones,
             ),
         )
-        f = energy + ca.dot(price, e) + rigidity / 2 * ca.sumsqr(e)
+        yielded = ca.dot(price, e) + rigidity / 2 * ca.sumsqr(e)
+        f = ca.if_else(sane, energy + yielded, ca.inf)
         self.program = {"x": x, "p": p, "f": f, "g": g}
         # The plug-in's form of the Hessian has a gradient, which it never reads.
         self.derivatives = derivatives(
