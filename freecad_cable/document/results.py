@@ -131,6 +131,11 @@ def write_status(cable, scene):
     """That it is solved, and warnings that do not make the shape wrong."""
     sentences = [Status.CONVERGED.value, *cable.LengthLimits, *cable.FormedPlaces]
     sentences += [*doubts(cable.CableType), *unknowns(cable.CableType), *crowded(scene)]
+    if any("rims of rings" in sentence for sentence in cable.ModelUsed):
+        sentences.append(
+            f"Warning: it passes a ring at an angle and is {-cable.SmallestClearance.Value:.2g} mm inside the rim of "
+            "the hole; no shape was found that keeps clear of it, so widen the hole, or change the length or the ring."
+        )
     # Enforced, it may lack what the mesh leaves between nodes.
     if cable.BendRadiusMode == "Check" and cable.BendRadiusMargin.Value < 0:
         sentences.append(_too_tight(cable))

@@ -105,6 +105,7 @@ def kept(cable, scene: Scene) -> Solution | None:
         message=status.value,
         contacts=tuple(contacts),
         position_error=to_si("length", cable.ErrorEstimate),
+        min_clearance=to_si("length", cable.SmallestClearance),
         support_nodes=tuple(cable.NodeOfSupport),
         support_reactions=tuple(reactions),
         **_arrays(cable),

@@ -83,6 +83,7 @@ def solution(problem, trial) -> Solution:
             *model.left_out,
             *_obstacles_left_out(problem, trial),
             *_pushes_left_out(scene, contacts),
+            *_rims_left_out(problem, shape),
             *_idle_supports(scene, shape),
         ),
         kept=(*model.kept, *(["obstacles"] if trial.touches else [])),
@@ -166,7 +167,7 @@ def _contacts(problem, trial):
 def _clearance(problem, shape):
     if not problem.surroundings.obstacles:
         return None
-    return problem.surroundings.clearance(shape) * problem.scaling.length
+    return problem.surroundings.strict.clearance(shape) * problem.scaling.length
 
 
 def _obstacles_left_out(problem, trial):
@@ -179,6 +180,16 @@ def _obstacles_left_out(problem, trial):
         )
     if near and not trial.touches:
         yield "obstacles in reach: the cable keeps clear of them by itself (exact)"
+
+
+def _rims_left_out(problem, shape):
+    """What was not to be kept beside rings."""
+    depth = problem.surroundings.strict.deepest(shape) * problem.scaling.length
+    if depth > 0 and not problem.surroundings.rims:
+        yield (
+            "rims of rings: no equilibrium was found that keeps clear of them; the cable passes one at an angle and is "
+            f"{depth:.2g} m nearer to it than its radius allows"
+        )
 
 
 def _pushes_left_out(scene, contacts):

@@ -22,6 +22,9 @@ NO_SLACK = 1e-7
 """Slack, relative to the length, below which an inextensible cable has no finite tension that a
 computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 
+ENTERED = 0.02
+"""Depth in an obstacle, in radii, from which an earlier solution is one that was let through the rim of a ring."""
+
 ONE_AT_A_TIME = threading.RLock()
 """CasADi's functions are not safe in threads (two that solved at once crashed Python), so of those of one process one
 solves; to use more of a machine takes processes."""
@@ -69,6 +72,9 @@ def _in_one_piece(scene, start, watch, apart):
     if isinstance(problem, Solution):
         return problem
     problem.parts = apart
+    if start is not None and (start.min_clearance or 0.0) < -ENTERED * scene.rod.radius:
+        # What was not to be found beside the rims of rings is not looked for at each step of a drag.
+        problem.surroundings = problem.surroundings.without_rims()
     from ..solve.effects import find
     from ..solve.search import finer
     from ..solve.trial import TimeUpError

@@ -4,6 +4,8 @@
 The only file that spells a solver's options or return strings.
 """
 
+import contextlib
+import io
 import time
 from dataclasses import dataclass
 from functools import lru_cache
@@ -139,7 +141,9 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
 
     def asked(start, given, known):
         nonlocal iterations
-        x, *_, lam, _ = solver(x0=start, lam_g0=known, p=given, lbg=0.0, ubg=upper)
+        # What CasADi has to say of a failure, the status says too.
+        with contextlib.redirect_stderr(io.StringIO()):
+            x, *_, lam, _ = solver(x0=start, lam_g0=known, p=given, lbg=0.0, ubg=upper)
         stats = solver.stats()
         iterations += int(stats["iter_count"])
         return bool(stats["success"]), x, lam

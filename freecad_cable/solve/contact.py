@@ -7,6 +7,7 @@ solve until they stay.
 """
 
 from dataclasses import replace
+from itertools import islice
 
 import numpy as np
 
@@ -29,6 +30,8 @@ how far. The solvers leave 1e-6."""
 MORE = 4
 """Lookups beyond those that are enough. Where the cable touches itself all are made: two parts side by side are a hinge
 that turns by a small gap over a short length."""
+AT_RIMS = 4
+"""Starts that are tried where a cable is in nothing but rims of rings."""
 CHANCE = 3.0
 """By how much more than first order the error of a mesh is taken to be, from the changes before it."""
 FAINT = 0.01
@@ -48,13 +51,16 @@ GATHER = 6.0
 
 def around(problem: Problem, trial: Trial) -> Trial | None:
     """The equilibrium among the scene's obstacles, from one without; None if none is found. If the cable keeps away
-    from all of them by itself, the trial is the answer."""
+    from all of them by itself, the trial is the answer. Where none is found beside the rims of rings, these are left
+    to the rings, and the clearance says what is wrong."""
     around_it, fixed = problem.surroundings, problem.scene.options.elements
     if not around_it.deepest(trial.shape):
         return trial
+    lenient = around_it.without_rims()
+    at_rims = lenient is not around_it and not lenient.deepest(trial.shape)
     best = None
     try:
-        for start in detours(problem, trial, fixed or FIRST):
+        for start in islice(detours(problem, trial, fixed or FIRST), AT_RIMS if at_rims else None):
             found = _settled(problem, start, leaving=1)
             if found is None:
                 continue
@@ -72,9 +78,12 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
             if best.stable and best.touches and not around_it.deepest(best.shape):
                 return best
     except TimeUpError:
-        if best is None:
+        if best is None and not at_rims:
             raise
-    return best
+    if lenient is around_it:
+        return best
+    problem.surroundings = lenient
+    return around(problem, trial)
 
 
 def apart(problem: Problem, trial: Trial) -> Trial:
@@ -163,9 +172,8 @@ def _gathered(problem, found, error=np.inf):
             if finer is None:
                 return found
             # As one piece: supports that slide are elsewhere on the one than on the other.
-            before_it = replace(found.shape, joints=()).on(finer.shape.arc_length)
-            moved = finer.shape.position - before_it.position
-            change = float(np.linalg.norm(moved, axis=1).max())
+            coarser = replace(found.shape, joints=()).on(finer.shape.arc_length)
+            change = np.linalg.norm(finer.shape.position - coarser.position, axis=1).max()
             if change > LOST and found.measured < LOST:
                 return found  # the finer one has left for another equilibrium
             # A node may lie well by chance, and then one change tells too little: the error goes with the elements. Two
@@ -177,10 +185,8 @@ def _gathered(problem, found, error=np.inf):
             last = change
             error = max(change, CHANCE * expected)
             found = finer.measured_as(error)
-            deep = (
-                around_it.deepest(found.shape) or problem.apart and problem.own.depths(found.shape)
-            )
-            if error <= tolerance and not deep:
+            inside = problem.apart and problem.own.depths(found.shape)
+            if error <= tolerance and not (inside or around_it.deepest(found.shape)):
                 return found
     except TimeUpError:
         if np.isinf(found.measured):

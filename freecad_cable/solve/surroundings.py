@@ -29,6 +29,9 @@ PENETRATION = 0.01
 """Depth between nodes, in radii of the cable, that is left."""
 LEAVING = 10.0
 """Bend radius, in radii of the cable, with which it gets out of an obstacle in which it is held."""
+ROOM = 0.2
+"""Play of a ring, in radii of the cable, from which the rim of its hole is an obstacle as any other; with less the
+cable is squeezed by a rim that it passes at an angle."""
 INSIDE = 4
 """Samples of an element between its nodes."""
 
@@ -45,8 +48,11 @@ class Near:
 class Surroundings:
     """The obstacles that a scene's cable may touch."""
 
-    def __init__(self, scene: Scene, scaling: Scaling):
-        self.scene, self.scaling = scene, scaling
+    def __init__(self, scene: Scene, scaling: Scaling, rims=True):
+        """``rims``: whether the rims of rings are obstacles, too."""
+        self.scene, self.scaling, self.rims = scene, scaling, rims
+        self.strict = self
+        """the same with the rims of rings"""
         self.radius = scene.rod.radius / scaling.length
         self.keep = self.radius + scene.clearance / scaling.length
         self.indices = np.flatnonzero(in_reach(scene, scene.obstacles))
@@ -55,6 +61,14 @@ class Surroundings:
         self._close = 2 * self.keep
         self._seen = WeakKeyDictionary()
         self.boxes = (bounds - scaling.origin) / scaling.length
+
+    def without_rims(self) -> "Surroundings":
+        """The same where the rims of rings are left to the rings, which let pass what has room in their plane."""
+        if not self.rims or not any(isinstance(each, Ring) for each in self.scene.supports):
+            return self
+        other = Surroundings(self.scene, self.scaling, rims=False)
+        other.strict = self
+        return other
 
     def nearest(self, points, within=np.inf, always=()) -> list["Near"]:
         """Of the obstacles that may be ``within`` a distance of one of the points (m, 3), what is nearest to the points
@@ -123,10 +137,12 @@ class Surroundings:
         return allowed
 
     def _rings(self, shape):
-        """(node, radius) of the rings."""
+        """(node, radius) of the rings whose rims are left to them."""
         for support, joint in zip(self.scene.supports, shape.joints, strict=True):
             if isinstance(support, Ring):
-                yield joint.node, support.radius / self.scaling.length
+                radius = support.radius / self.scaling.length
+                if not self.rims or radius < (1 + ROOM) * self.radius:
+                    yield joint.node, radius
 
     def gap(self, point):
         """What is left at a point (3,) of the distance to keep from the nearest obstacle, and its normal (3,)."""

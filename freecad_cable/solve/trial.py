@@ -151,6 +151,11 @@ class Trial:
         states = self.nlp.states[:, :3]
         change = size * mode / max(np.abs(mode[states]).max(), 1e-9)
         nodes = layout.places(self.nlp, self.shape.steps, self.raw.x + change)
+        while not (
+            np.diff(nodes[0]) > 0
+        ).all():  # a support would slide past another, or past an end
+            change /= 2
+            nodes = layout.places(self.nlp, self.shape.steps, self.raw.x + change)
         return Shape.from_frames(*nodes, self.nlp.structure.joints)
 
     @cached_property
