@@ -147,9 +147,8 @@ class Trial:
     def swayed(self, size) -> Shape:
         """Its nodes moved along the least stable variation, the one that moves most by ``size`` (negative for the
         other way): a guess that has no symmetry to be caught in."""
-        _, mode = self.lowest_mode
-        states = self.nlp.states[:, :3]
-        change = size * mode / max(np.abs(mode[states]).max(), 1e-9)
+        mode = self.lowest_mode[1]
+        change = size * mode / max(np.abs(mode[self.nlp.states[:, :3]]).max(), 1e-9)
         nodes = layout.places(self.nlp, self.shape.steps, self.raw.x + change)
         while not (
             np.diff(nodes[0]) > 0
@@ -261,11 +260,8 @@ class Problem:
         contacts, 12) are what the nodes keep away from (see ``transcription.contact``), ``links`` what of the cable
         keeps away from itself.
         """
-        nlp = self._built(
-            start,
-            0 if features is None else features.shape[1],
-            () if links is None else links.pairs,
-        )
+        contacts = 0 if features is None else features.shape[1]
+        nlp = self._built(start, contacts, () if links is None else links.pairs)
         values = self.scaling.loaded(load).parameters(self.scene, start, load, reach)
         values["features"], values["links"] = features, links
         parameters = pack(nlp.structure, values, start.steps)
