@@ -20,11 +20,10 @@ from ..transcription.nlp import Nlp
 from ..transcription.numeric import Numeric
 from ..transcription.writer import from_triplets
 
-RIGID = (1e6, 1e5)
-"""ρ, and another that is tried where that fails. Forces are of order one (see ``scaling``), and so are multipliers: one
-solve leaves 1e-6 of the length, and the next, of a step or two, the square of that. What is more rigid drowns in its
-rounding what little holds a cable that may nearly roll: fatrop takes a minimum for none and creeps (of the 1000 random
-scenes of `benchmarks/extreme.py` 15 failed with 1e10, 2 with 1e6)."""
+RIGID = (1e10, 1e6, 1e5)
+"""ρ, and others that are tried where it fails. Forces are of order one (see ``scaling``), and so are multipliers: one
+solve leaves 1e-10 of the length. But 1e10 drowns in its rounding what little holds a cable that may nearly roll: fatrop
+takes a minimum for none and creeps (15 of the 1000 random scenes of `benchmarks/extreme.py`; none with all three)."""
 MORE_RIGID = 1e3
 """Factor for a cable that is so stiff itself that a yield is still more than ``SHARE`` of the one before."""
 SHARE = 0.1
