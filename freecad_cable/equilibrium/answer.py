@@ -184,8 +184,10 @@ def _obstacles_left_out(problem, trial):
 
 def _rims_left_out(problem, shape):
     """What was not to be kept beside rings."""
+    if problem.surroundings.rims:
+        return
     depth = problem.surroundings.strict.deepest(shape) * problem.scaling.length
-    if depth > 0 and not problem.surroundings.rims:
+    if depth > 0:
         yield (
             "rims of rings: no equilibrium was found that keeps clear of them; the cable passes one at an angle and is "
             f"{depth:.2g} m nearer to it than its radius allows"

@@ -14,9 +14,8 @@ from ..geometry import rotation
 from ..geometry.nearest import LINE, POINT, Nearest
 from ..geometry.runs import runs
 from ..geometry.self_contact import TIGHTEST, excused_by, self_penetrations
-from ..problem import Free
 from ..transcription import contact
-from .surroundings import PENETRATION
+from .surroundings import PENETRATION, held_nodes
 
 CROSSING = 0.2
 """Sine of the angle between two parts from which they are taken to cross, not to lie side by side."""
@@ -94,14 +93,9 @@ class Own:
         first. Asked for often of one shape."""
         if shape not in self._seen:
             nodes = shape.arc_length, shape.position, shape.quaternion
-            found = self_penetrations(*nodes, self.radius, self._held(shape))
+            found = self_penetrations(*nodes, self.radius, held_nodes(self.scene, shape))
             self._seen[shape] = [each for each in found if each[0] > PENETRATION * self.radius]
         return self._seen[shape]
-
-    def _held(self, shape):
-        ends = [(self.scene.start, 0), (self.scene.end, len(shape.arc_length) - 1)]
-        held = [node for end, node in ends if not isinstance(end, Free)]
-        return sorted({*held, *(joint.node for joint in shape.joints)})
 
     def links(self, shape, reach, leaving=0) -> Links | None:
         """Of the nodes of a shape that are within a diameter and ``reach`` of another part of it, or None.
@@ -157,7 +151,7 @@ class Own:
         apart = np.linalg.norm(r[nodes] - _on_cubic(shape, elements, share)[0], axis=1)
         there = s[elements] + share * steps[elements]
         good = (apart < 2 * self.radius + reach) & (there - s[nodes] > TIGHTEST * self.radius)
-        held = self._held(shape)
+        held = held_nodes(self.scene, shape)
         good &= ~excused_by(s[held], r[held], self.radius)(s[nodes], there)
         # What the program cannot move needs no row.
         fixed = np.isin(nodes, held) & np.isin(elements + share, held)

@@ -107,15 +107,8 @@ class Surroundings:
         """(which, gaps (len(which), n+1)) what is left of the distance to keep, of the obstacles ``within`` a distance;
         infinite beyond it, where a node is held inside it, and near such a node: a cable that comes out of a connector
         begins at its face."""
-        found = self.nearest(shape.position, within, self._held(shape))
+        found = self.nearest(shape.position, within, held_nodes(self.scene, shape))
         return np.array([each.obstacle for each in found], int), self._gaps(shape, found)
-
-    def _held(self, shape):
-        scene = self.scene
-        held = [joint.node for joint in shape.joints]
-        held += [0] * (not isinstance(scene.start, Free))
-        held += [len(shape.position) - 1] * (not isinstance(scene.end, Free))
-        return held
 
     def _gaps(self, shape, found):
         gap = np.full((len(found), len(shape.position)), np.inf)
@@ -123,7 +116,7 @@ class Surroundings:
             row[each.where] = each.what.distance - self.keep
         allowed = gap.copy()
         rings = dict(self._rings(shape))
-        for node in self._held(shape):
+        for node in held_nodes(self.scene, shape):
             away = np.abs(shape.arc_length - shape.arc_length[node])
             missing = np.maximum(-gap[:, node], 0.0)
             # What is as near to a ring as its rim is what the ring is in: there the ring is the contact.
@@ -191,7 +184,7 @@ class Surroundings:
     def features(self, shape: Shape, reach=NEAR, leaving=False):
         """(n+1, contacts, 12) of a shape's nodes, those nearer than ``reach``, and which of the scene's obstacles
         (n+1, contacts) each belongs to, −1 for none; or None."""
-        found = self.nearest(shape.position, reach + self.keep, self._held(shape))
+        found = self.nearest(shape.position, reach + self.keep, held_nodes(self.scene, shape))
         gap = self._gaps(shape, found)
         near = gap < reach
         count = int(near.sum(axis=0).max(initial=0))
@@ -234,6 +227,13 @@ class Surroundings:
                 place += np.outer(np.maximum(-left, 0) + 1e-4 * (left < 0), out)
             rows[run] = 0.0
             rows[run, :3], rows[run, 3:6], rows[run, 11] = place, out, self.keep
+
+
+def held_nodes(scene: Scene, shape: Shape) -> list[int]:
+    """Those at supports and at ends that are not free, in order."""
+    ends = [(scene.start, 0), (scene.end, len(shape.position) - 1)]
+    held = [node for end, node in ends if not isinstance(end, Free)]
+    return sorted({*held, *(joint.node for joint in shape.joints)})
 
 
 def _fine(shape):

@@ -149,13 +149,11 @@ class Trial:
         other way): a guess that has no symmetry to be caught in."""
         mode = self.lowest_mode[1]
         change = size * mode / max(np.abs(mode[self.nlp.states[:, :3]]).max(), 1e-9)
-        nodes = layout.places(self.nlp, self.shape.steps, self.raw.x + change)
-        while not (
-            np.diff(nodes[0]) > 0
-        ).all():  # a support would slide past another, or past an end
-            change /= 2
+        while True:
             nodes = layout.places(self.nlp, self.shape.steps, self.raw.x + change)
-        return Shape.from_frames(*nodes, self.nlp.structure.joints)
+            if (np.diff(nodes[0]) > 0).all():
+                return Shape.from_frames(*nodes, self.nlp.structure.joints)
+            change /= 2  # a support would slide past another, or past an end
 
     @cached_property
     def stable(self) -> bool:

@@ -13,7 +13,7 @@ HOLE, THICKNESS = 0.01, 0.002
 PLACE = np.array([0.06, 0.0, 0.07])
 
 
-def through(length, obstacles, hole=HOLE):
+def through(length, obstacles):
     return Scene(
         rod=Rod(
             length=length,
@@ -24,18 +24,18 @@ def through(length, obstacles, hole=HOLE):
         ),
         start=Clamped([0, 0, 0], [1, 0, 0, 0], place="start"),
         end=Swivel([0.2, 0, 0], [0, 0, -1]),
-        supports=(Ring(PLACE, [1, 0, 0], hole),),
+        supports=(Ring(PLACE, [1, 0, 0], HOLE),),
         obstacles=obstacles,
     )
 
 
-def plate(depth, hole=HOLE):
+def plate(depth):
     """Four bars around a square hole as wide as the ring, from the ring's plane back."""
     bars = []
     for axis in (1, 2):
         for side in (-1, 1):
             centre = PLACE - [depth / 2, 0, 0]
-            centre[axis] += side * (hole + 0.02)
+            centre[axis] += side * (HOLE + 0.02)
             size = np.array([depth, 0.1, 0.1])
             size[axis] = 0.04
             bars.append(Box(centre, [1, 0, 0, 0], size))
