@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A scene file that is right, for tests that break it in one place."""
+"""A scene file that is right, for tests that break it in one place; a plate with a round hole."""
 
 import copy
 
+import numpy as np
 import pytest
 
 SCENE = {
@@ -50,3 +51,31 @@ def changed(data):
         return data
 
     return change
+
+
+@pytest.fixture
+def drilled():
+    return _drilled
+
+
+def _drilled(center, axis, radius, thickness, sides, size=3.0):
+    """(vertices (n, 3), triangles (t, 3)) of a square plate, ``size`` radii from the middle of its hole to its sides.
+    It lies from ``center`` along ``axis``; the hole has corners on its circle."""
+    angle = np.linspace(0, 2 * np.pi, sides, endpoint=False)
+    across = np.linalg.svd(np.array(axis)[None])[2][1:]
+    if np.linalg.det([*across, axis]) < 0:
+        across = across[::-1]
+    circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    outline = size * circle / np.abs(circle).max(axis=1)[:, None]
+    rings = [
+        center + radius * ring @ across + height * np.array(axis)
+        for height in (0.0, thickness)
+        for ring in (circle, outline)
+    ]
+    triangles = []
+    for i in range(sides):
+        j = (i + 1) % sides
+        for a, b in ((1, 0), (2, 3), (0, 2), (3, 1)):  # bottom, top, wall of the hole, outline
+            a, b = a * sides, b * sides
+            triangles += [(a + i, b + i, a + j), (b + i, b + j, a + j)]
+    return np.concatenate(rings), np.array(triangles)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The nearest feature of a surface: a flat face, an edge or axis, a corner or centre."""
+"""The nearest feature of a surface: a flat face, an edge or axis, a corner or centre, a round hole."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ import numpy as np
 
 from .rotation import cross
 
-FLAT, LINE, POINT = 0, 1, 2
+FLAT, LINE, POINT, HOLE = 0, 1, 2, 3
 
 ROUNDING = 64 * np.finfo(float).eps
 """Relative to coordinates: distances below have no direction of their own."""
@@ -18,8 +18,8 @@ class Nearest:
     """Of m points x: the distance to a solid and the feature that is nearest.
 
     The distance to a feature is n·(x − c) if flat, |(x − c) − (n·(x − c)) n| − ρ about a line, and
-    |x − c| − ρ about a point. Of the solid it is the distance where that feature is the nearest, and
-    its gradient is the normal.
+    |x − c| − ρ about a point; within a hole it is that to its wall or rim (see ``geometry.bore``). Of the solid it is
+    the distance where that feature is the nearest, and its gradient is the normal.
     """
 
     distance: np.ndarray
@@ -27,13 +27,14 @@ class Nearest:
     normal: np.ndarray
     """(m, 3) unit, the direction in which the distance grows"""
     feature: np.ndarray
-    """(m,) FLAT, LINE or POINT"""
+    """(m,) FLAT, LINE, POINT or HOLE"""
     center: np.ndarray
-    """(m, 3) [m] c: the point of the face, of the line, or the point; nearest to x"""
+    """(m, 3) [m] c: the point of the face, of the line or axis, or the point; nearest to x"""
     direction: np.ndarray
-    """(m, 3) n: outward normal of the face, unit direction of the line, zeros for a point"""
+    """(m, 3) n: outward normal of the face, unit direction of the line, zeros for a point; of the axis
+    of a hole, the way out of it"""
     radius: np.ndarray
-    """(m,) [m] ρ: 0 for sharp edges and corners, and for faces"""
+    """(m,) [m] ρ: 0 for sharp edges and corners, and for faces; of a hole its own"""
 
 
 def measured(points, feature, center, direction, radius, otherwise) -> Nearest:

@@ -11,10 +11,9 @@ from itertools import islice
 
 import numpy as np
 
-from ..geometry.runs import runs
 from ..transcription import contact
 from ..transcription.shape import Shape
-from . import mesh
+from . import mesh, touching
 from .detours import detours
 from .saddle import descended
 from .surroundings import BESIDE, NEAR
@@ -34,15 +33,11 @@ AT_RIMS = 4
 """Starts that are tried where a cable is in nothing but rims of rings."""
 CHANCE = 3.0
 """By how much more than first order the error of a mesh is taken to be, from the changes before it."""
-FAINT = 0.01
-"""Share of the largest force of a place below which a node is not taken to touch."""
 FIRST = 64
 """Elements of the first mesh."""
 MESHES = (96, 96, 128, 128, 192, 256, 256, 256)
 LOST = 0.02
 """Change from mesh to mesh that is no refinement."""
-FARTHEST_AHEAD = 4.0
-"""How far ahead, in lengths of the last step, a contact is taken to come to rest."""
 NARROWEST = 3e-5
 """Shortest elements, relative to the length, that nodes gather to; with shorter ones the solvers fail."""
 GATHER = 6.0
@@ -61,6 +56,8 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
     best = None
     try:
         for start in islice(detours(problem, trial, fixed or FIRST), AT_RIMS if at_rims else None):
+            if fixed is None:
+                start = _fine_at_holes(problem, start)
             found = _settled(problem, start, leaving=1)
             if found is None:
                 continue
@@ -84,6 +81,15 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
         return best
     problem.surroundings = lenient
     return around(problem, trial)
+
+
+def _fine_at_holes(problem, shape):
+    """With nodes at the rims of holes, which shorter elements would find deep inside the wall."""
+    around_it = problem.surroundings
+    places = [shape.arc_length[node] for node in around_it.in_holes(shape)]
+    if not places:
+        return shape
+    return shape.on(mesh.gathered(shape, MESHES[0], places, around_it.radius))
 
 
 def apart(problem: Problem, trial: Trial) -> Trial:
@@ -142,15 +148,8 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
 def _coarser(problem, trial, warm) -> float:
     """How much longer the elements are where contact begins and ends now than the finest were, which are those where it
     began and ended before: the error goes with them."""
-    places, _ = _places(problem, trial)
-    return max(1.0, _fineness(trial.shape, places) / warm.steps.min())
-
-
-def _fineness(shape, places) -> float:
-    """Longest of the elements at some places."""
-    steps = shape.steps
-    here = np.searchsorted(shape.arc_length, places).clip(1, len(steps) - 1)
-    return np.maximum(steps[here - 1], steps[here]).max()
+    places, _ = touching.places(problem, trial)
+    return max(1.0, touching.fineness(trial.shape, places) / warm.steps.min())
 
 
 def _gathered(problem, found, error=np.inf):
@@ -159,15 +158,15 @@ def _gathered(problem, found, error=np.inf):
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
     found, width = found.measured_as(error), 1 / FIRST
     expected = last = 0.0
-    before = here = _places(problem, found)
+    before = here = touching.places(problem, found)
     try:
         for elements in MESHES:
             if not len(here[0]):
                 return found.measured_as(None)  # touches nothing, so the strong form holds
-            ahead = _ahead(before, here)
+            rest = touching.ahead(before, here)
             # Nodes that gather beside the way of a contact would not let it pass.
-            width = max(width / GATHER, NARROWEST, np.abs(ahead - here[0]).max())
-            nodes = mesh.gathered(found.shape, elements, ahead, width)
+            width = max(width / GATHER, NARROWEST, np.abs(rest - here[0]).max())
+            nodes = mesh.gathered(found.shape, elements, rest, width)
             finer = _settled(problem, found.shape.on(nodes), BESIDE, fallback=True)
             if finer is None:
                 return found
@@ -178,9 +177,9 @@ def _gathered(problem, found, error=np.inf):
                 return found  # the finer one has left for another equilibrium
             # A node may lie well by chance, and then one change tells too little: the error goes with the elements. Two
             # that are small are no chance.
-            fineness = _fineness(found.shape, here[0])
-            before, here = here, _places(problem, finer)
-            finer_by = _fineness(finer.shape, here[0]) / fineness if len(here[0]) else 1.0
+            fineness = touching.fineness(found.shape, here[0])
+            before, here = here, touching.places(problem, finer)
+            finer_by = touching.fineness(finer.shape, here[0]) / fineness if len(here[0]) else 1.0
             expected = max(min(expected, last), change) * min(finer_by, 1.0)
             last = change
             error = max(change, CHANCE * expected)
@@ -192,55 +191,6 @@ def _gathered(problem, found, error=np.inf):
         if np.isinf(found.measured):
             raise
     return found
-
-
-def _ahead(before, here):
-    """Where contacts come to rest, from the last two times that they were looked up (see ``_places``). A node on a
-    round edge or a ball is pushed across that, and so nearly along the cable if the cable touches beside it: mesh by
-    mesh, the cable slides until nothing is left of that."""
-    (first, held), (last, holds) = before, here
-    if len(first) != len(last):
-        return last
-    gone, eased = last - first, holds - held
-    step = np.divide(-holds * gone, eased, out=np.zeros_like(gone), where=eased != 0)
-    known = np.isfinite(step) & (np.abs(step) < FARTHEST_AHEAD * np.abs(gone))
-    return np.clip(last + np.where(known, step, 0.0), 0.0, 1.0)
-
-
-def _places(problem, trial):
-    """(places, grips): arc lengths where contact begins or ends, or is at a point, and of each what obstacles push
-    along the cable there, which is nothing in an equilibrium; NaN where that does not tell where the contact comes to
-    rest."""
-    around_it, s = problem.surroundings, trial.shape.arc_length
-    forces = trial.contact_forces.sum(axis=1)
-    size, along = np.linalg.norm(trial.contact_forces, axis=2).sum(axis=1), trial.frames[:, :, 2]
-    pushed = (forces * along).sum(axis=1)
-    places, grips = [], []
-    for a, b in runs(size > 0):
-        ends = _ends(s[a:b], size[a:b])
-        places += ends
-        grips += [pushed[a:b].sum()] if len(ends) == 1 else [np.nan, np.nan]
-    touches = trial.with_itself
-    force = np.linalg.norm(touches.forces, axis=1)
-    for place in touches.places(problem.own.radius):
-        places += _ends(touches.here[place], force[place])
-        places += _ends(touches.there[place], force[place])
-    if problem.apart:
-        places += problem.own.mesh_places(trial.shape)
-    if around_it.deepest(trial.shape):
-        worst = int(np.argmin(around_it.between(trial.shape)))
-        places.append((s[worst] + s[worst + 1]) / 2)
-    grips += [np.nan] * (len(places) - len(grips))
-    return np.array(places), np.array(grips)
-
-
-def _ends(arc_length, force):
-    """Where a contact begins and ends, from its nodes; of two, which share a force between them, the middle.
-    What the solver leaves of its barrier beside a contact is none."""
-    there = np.flatnonzero(force > FAINT * force.max())
-    if there[-1] - there[0] <= 1:
-        return [float(np.average(arc_length[there], weights=force[there]))]
-    return [arc_length[there[0]], arc_length[there[-1]]]
 
 
 def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):

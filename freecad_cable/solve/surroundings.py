@@ -1,23 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The obstacles around a cable: which it may touch, how far it is from them, and what its nodes keep away from.
+"""The obstacles around a cable: which it may touch, how far it is from them, and what its nodes keep away from."""
 
-A node that is inside an obstacle leaves along a direction that its whole run of nodes agrees on: left to itself each
-would take the nearest side, and fold the cable around the obstacle.
-"""
-
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from ..geometry.bore import Bore
 from ..geometry.box_tree import to_boxes
-from ..geometry.nearest import Nearest
-from ..geometry.runs import runs
 from ..problem import Free, Ring, Scene
 from ..problem.surroundings import in_reach
 from ..transcription import contact
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
+from .leaving import Near, leave
 
 NEAR = 0.3
 """Gap, in lengths, up to which a feature is given to a node that may yet move far."""
@@ -34,15 +31,10 @@ ROOM = 0.2
 cable is squeezed by a rim that it passes at an angle."""
 INSIDE = 4
 """Samples of an element between its nodes."""
-
-
-@dataclass(frozen=True, eq=False)
-class Near:
-    """What is nearest of an obstacle, its number among those of the surroundings, to points with numbers ``where``."""
-
-    obstacle: int
-    where: np.ndarray
-    what: Nearest
+CLOSER = 0.25
+"""Distance between samples, in radii of the cable, where it may touch: of an edge 1/128 of a radius goes between."""
+MOST_INSIDE = 64
+"""Samples of an element where it may touch."""
 
 
 class Surroundings:
@@ -70,7 +62,42 @@ class Surroundings:
         other.strict = self
         return other
 
-    def nearest(self, points, within=np.inf, always=()) -> list["Near"]:
+    @cached_property
+    def holes(self) -> dict[int, list[Bore]]:
+        """Round holes that rings are in, of each obstacle, without units. With less room than a cable needs they are
+        left to the rings."""
+        found = {}
+        for ring in filter(self._by_rim, self.scene.supports):
+            center, radius = self.scaling.point(ring.position), ring.radius / self.scaling.length
+            for i in np.flatnonzero(self._at_least(center[None])[0] <= 2 * radius):
+                bore = Bore.around(
+                    center, ring.axis, radius, lambda x, i=i: self._feature(i, x).distance
+                )
+                if bore is not None and bore.radius >= (1 + ROOM) * self.keep:
+                    found.setdefault(int(i), []).append(bore)
+        return found
+
+    @cached_property
+    def posed(self) -> Scene:
+        """The scene with rings that leave the cable no more room than the holes that they are in."""
+        if not self.holes:
+            return self.scene
+        return replace(self.scene, supports=tuple(map(self._narrowed, self.scene.supports)))
+
+    def in_holes(self, shape) -> list[int]:
+        """Nodes at the rings that are in holes."""
+        pairs = zip(self.scene.supports, shape.joints, strict=True)
+        return [joint.node for support, joint in pairs if self._narrowed(support) is not support]
+
+    def _narrowed(self, support):
+        for bore in (bore for each in self.holes.values() for bore in each):
+            if (self.scaling.point(support.position) == bore.center).all():
+                return replace(
+                    support, radius=bore.radius * self.scaling.length - self.scene.clearance
+                )
+        return support
+
+    def nearest(self, points, within=np.inf, always=()) -> list[Near]:
         """Of the obstacles that may be ``within`` a distance of one of the points (m, 3), what is nearest to the points
         that may be so near, and to those with these numbers ``always``; without units."""
         low, high = points.min(axis=0) - within, points.max(axis=0) + within
@@ -89,6 +116,12 @@ class Surroundings:
         return Near(i, where, self._nearest(i, points[where]))
 
     def _nearest(self, i, points):
+        nearest = self._feature(i, points)
+        for bore in self.holes.get(int(i), ()):
+            nearest = bore.nearest(points, nearest)
+        return nearest
+
+    def _feature(self, i, points):
         length = self.scaling.length
         nearest = self.obstacles[i].nearest(self.scaling.origin + points * length)
         return replace(
@@ -132,10 +165,16 @@ class Surroundings:
     def _rings(self, shape):
         """(node, radius) of the rings whose rims are left to them."""
         for support, joint in zip(self.scene.supports, shape.joints, strict=True):
-            if isinstance(support, Ring):
-                radius = support.radius / self.scaling.length
-                if not self.rims or radius < (1 + ROOM) * self.radius:
-                    yield joint.node, radius
+            if isinstance(support, Ring) and not self._by_rim(support):
+                yield joint.node, support.radius / self.scaling.length
+
+    def _by_rim(self, support):
+        """Whether a support is a ring whose rim is an obstacle."""
+        return (
+            self.rims
+            and isinstance(support, Ring)
+            and support.radius >= (1 + ROOM) * self.scene.rod.radius
+        )
 
     def gap(self, point):
         """What is left at a point (3,) of the distance to keep from the nearest obstacle, and its normal (3,)."""
@@ -148,7 +187,7 @@ class Surroundings:
         smallest = float(self.between(shape).min(initial=np.inf)) + self.keep
         if not self.obstacles or smallest < self._close:
             return smallest - self.radius
-        fine = _fine(shape)
+        fine = _fine(shape, np.full(len(shape.steps), INSIDE))
         at_least = self._at_least(fine.position)
         nearest = at_least.min(axis=0)
         for i in np.argsort(nearest):
@@ -175,11 +214,21 @@ class Surroundings:
         if not self.obstacles:
             return np.full(len(shape.steps), np.inf)
         if shape not in self._seen:
-            _, gaps = self.gaps(_fine(shape), self._close)
-            least = gaps.min(axis=0, initial=np.inf)
-            inside = least[:-1].reshape(-1, INSIDE).min(axis=1)
-            self._seen[shape] = np.minimum(inside, least[INSIDE::INSIDE])
+            least = self._least(shape, counts := np.full(len(shape.steps), INSIDE))
+            # No gap between samples is less than that at one of them by more than half their distance.
+            doubtful = least < shape.steps / counts / 2
+            if doubtful.any():
+                closer = np.ceil(shape.steps / (CLOSER * self.radius)).clip(INSIDE, MOST_INSIDE)
+                least = self._least(shape, np.where(doubtful, closer, counts).astype(int))
+            self._seen[shape] = least
         return self._seen[shape]
+
+    def _least(self, shape, counts):
+        """(n,) smallest gap over each element, at so many (n,) samples each and at its ends."""
+        _, gaps = self.gaps(_fine(shape, counts), self._close)
+        least = gaps.min(axis=0, initial=np.inf)
+        begin = np.append(0, np.cumsum(counts))
+        return np.minimum(np.minimum.reduceat(least[:-1], begin[:-1]), least[begin[1:]])
 
     def features(self, shape: Shape, reach=NEAR, leaving=False):
         """(n+1, contacts, 12) of a shape's nodes, those nearer than ``reach``, and which of the scene's obstacles
@@ -195,7 +244,7 @@ class Surroundings:
         for row, each, left in zip(rows, found, gap, strict=True):
             row[each.where] = contact.parameters(each.what, self.keep)
             if leaving:
-                self._leave(row, each, shape.position, left)
+                leave(row, each, shape.position, left, self.keep, self._nearest)
         order = np.argsort(gap, axis=0)[:count].T
         nodes = np.arange(len(gap[0]))[:, None]
         if order.shape[1] < count:
@@ -207,27 +256,6 @@ class Surroundings:
         which = self.indices[[each.obstacle for each in found]]
         return chosen, np.where(unused, -1, which[order])
 
-    def _leave(self, rows, near, points, gap):
-        """Faces for the nodes inside an obstacle, across the direction in which each run of them leaves."""
-        distance, normal = np.full(len(points), np.inf), np.zeros((len(points), 3))
-        distance[near.where], normal[near.where] = near.what.distance, near.what.normal
-        inside = (distance < 0) & np.isfinite(gap)
-        for a, b in runs(inside):
-            run = slice(a, b)
-            depth = -distance[run]
-            out = (depth[:, None] * normal[run]).sum(axis=0)
-            if np.linalg.norm(out) < 0.1 * depth.sum():
-                out = normal[run][np.argmin(depth)]
-            out = out / np.linalg.norm(out)
-            place = points[run].copy()
-            for _ in range(30):
-                left = self._nearest(near.obstacle, place).distance
-                if (left >= 0).all():
-                    break
-                place += np.outer(np.maximum(-left, 0) + 1e-4 * (left < 0), out)
-            rows[run] = 0.0
-            rows[run, :3], rows[run, 3:6], rows[run, 11] = place, out, self.keep
-
 
 def held_nodes(scene: Scene, shape: Shape) -> list[int]:
     """Those at supports and at ends that are not free, in order."""
@@ -236,8 +264,11 @@ def held_nodes(scene: Scene, shape: Shape) -> list[int]:
     return sorted({*held, *(joint.node for joint in shape.joints)})
 
 
-def _fine(shape):
-    """A shape with samples between its nodes."""
-    share = np.arange(INSIDE) / INSIDE
-    within = (shape.arc_length[:-1, None] + shape.steps[:, None] * share).ravel()
+def _fine(shape, counts):
+    """A shape with samples between its nodes, so many (n,) for each element with its first node."""
+    begin = np.append(0, np.cumsum(counts))
+    part = np.arange(begin[-1]) - np.repeat(begin[:-1], counts)
+    within = np.repeat(shape.arc_length[:-1], counts) + part * np.repeat(
+        shape.steps / counts, counts
+    )
     return shape.on(np.append(within, shape.arc_length[-1]))

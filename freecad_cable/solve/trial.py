@@ -260,7 +260,8 @@ class Problem:
         """
         contacts = 0 if features is None else features.shape[1]
         nlp = self._built(start, contacts, () if links is None else links.pairs)
-        values = self.scaling.loaded(load).parameters(self.scene, start, load, reach)
+        posed = self.surroundings.posed
+        values = self.scaling.loaded(load).parameters(posed, start, load, reach)
         values["features"], values["links"] = features, links
         parameters = pack(nlp.structure, values, start.steps)
         x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start, values["weight"])

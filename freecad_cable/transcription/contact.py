@@ -7,17 +7,24 @@ A feature of an obstacle (see ``problem.obstacles``) is a face, an edge or a cor
 
 with n = 0 and α = β = 1/R about a line, α = 1/R and β = 0 about a point, d = R/2, R the distance to keep from it; and
 α = β = 0, d = R from a face. g is zero at the distance to keep, and near it grows as the distance does.
+
+In a hole of radius ρ the way from its axis is at most P = ρ − √(R² − z²), z the way beyond its rim. With P linear about
+the node's z, (P² − |r − c|²)/2P is the same quadric: n = P' a, α = −1/P, β = −(1 + P'²)/P, d = −P/2, all times
+1/√(1 + P'²).
 """
 
 import casadi as ca
 import numpy as np
 
-from ..geometry.nearest import FLAT, LINE
+from ..geometry.nearest import FLAT, HOLE, LINE
 
 PARAMETERS = 12
 """c (3), n (3), a (3), α, β, d of one feature"""
 LINK_PARAMETERS = PARAMETERS + 1
 """See ``link_gap``."""
+
+PAST_RIM = 0.99
+"""Way beyond the rim of a hole, in distances to keep, from which it is not in the way."""
 
 NONE = np.array([0.0] * 11 + [-1.0])
 """Of a feature that is never in the way."""
@@ -44,7 +51,7 @@ def parameters(nearest, keep) -> np.ndarray:
     flat, line = nearest.feature == FLAT, nearest.feature == LINE
     distance = keep + nearest.radius
     inverse = np.where(flat, 0.0, 1 / distance)
-    return np.column_stack(
+    rows = np.column_stack(
         [
             nearest.center,
             np.where(flat[:, None], nearest.direction, 0.0),
@@ -54,6 +61,29 @@ def parameters(nearest, keep) -> np.ndarray:
             np.where(flat, keep, distance / 2),
         ]
     )
+    holes = nearest.feature == HOLE
+    if holes.any():
+        rows[holes] = _in_hole(*(each[holes] for each in vars(nearest).values()), keep)
+    return rows
+
+
+def _in_hole(distance, normal, _, center, direction, radius, keep):
+    beyond = distance * np.einsum("ki,ki->k", normal, direction)
+    past = beyond >= PAST_RIM * keep
+    aside = np.sqrt(keep**2 - np.where(past, 0.0, beyond) ** 2)
+    scale, inverse = aside / keep, 1 / (radius - aside)
+    rows = np.column_stack(
+        [
+            center,
+            (beyond / keep)[:, None] * direction,
+            direction,
+            -scale * inverse,
+            -inverse / scale,
+            -scale / inverse / 2,
+        ]
+    )
+    rows[past] = NONE
+    return rows
 
 
 def value(r, features) -> np.ndarray:

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Round holes through solids, as a cable inside them meets them: by their wall and its two rims.
+
+A triangulation makes a hole of many faces and edges of which each is the nearest for a little of the way around only,
+so that what keeps clear of one slides off to the next. The hole itself is smooth.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .nearest import HOLE, Nearest
+
+ON_CIRCLE = 0.05
+"""Distance, in radii, up to which what is around a circle is taken for a hole: that of a triangulation in 12 parts."""
+STEP, FARTHEST = 0.25, 12.0
+"""Places along the axis at which the ends of a hole are looked for, in its radii."""
+
+
+@dataclass(frozen=True, eq=False)
+class Bore:
+    """The wall |x − center| = ``radius`` across ``axis`` (3,), unit, from ``low`` to ``high`` along it [m]."""
+
+    center: np.ndarray
+    axis: np.ndarray
+    radius: float
+    low: float
+    high: float
+
+    @classmethod
+    def around(cls, center, axis, radius, distance) -> "Bore | None":
+        """The hole that a circle is on the wall or at the rim of, if that is what is around it; ``distance`` of a solid
+        from points (m, 3)."""
+        along = radius * np.arange(-FARTHEST, FARTHEST + STEP / 2, STEP)
+        middle = len(along) // 2
+        there = distance(center + along[:, None] * axis)
+        inner = there[middle]
+        wider = there > inner * (1 + ON_CIRCLE)
+        if abs(inner - radius) > ON_CIRCLE * radius or not (
+            wider[:middle].any() and wider[middle:].any()
+        ):
+            return None
+        below, above = np.flatnonzero(wider[:middle])[-1], middle + np.argmax(wider[middle:])
+        # From the axis beyond an end, its rim is what is nearest.
+        low, high = (
+            along[k] + side * np.sqrt(there[k] ** 2 - inner**2)
+            for k, side in ((below, 1), (above, -1))
+        )
+        return cls(center, axis, inner, low, high)
+
+    def nearest(self, points, outside: Nearest) -> Nearest:
+        """What is nearest to points (m, 3), of which ``outside`` knows the nearest feature of the whole solid: that, or
+        the hole where it is the same place."""
+        away = points - self.center
+        along = away @ self.axis
+        foot = self.center + along[:, None] * self.axis
+        across = points - foot
+        aside = np.linalg.norm(across, axis=1)
+        inward = -across / np.maximum(aside, 1e-300)[:, None]
+        beyond = along - np.clip(along, self.low, self.high)
+        inside = aside <= self.radius
+        distance = np.where(inside, np.hypot(self.radius - aside, beyond), self.radius - aside)
+        same = np.abs(distance - outside.distance) < 2 * ON_CIRCLE * self.radius
+        # Inside a thin plate the face is nearer than the hole that the cable is to go back into.
+        sunk = (outside.distance < 0) & (beyond == 0) & (aside < 2 * self.radius)
+        here = np.where(inside, same, sunk)
+        normal = (self.radius - aside)[:, None] * inward + beyond[:, None] * self.axis
+        normal /= np.where(distance == 0, 1.0, distance)[:, None]
+        normal[distance == 0] = inward[distance == 0]
+        outward = np.where(beyond < 0, -1.0, 1.0)[:, None] * self.axis
+        where = here[:, None]
+        return Nearest(
+            np.where(here, distance, outside.distance),
+            np.where(where, normal, outside.normal),
+            np.where(here, HOLE, outside.feature),
+            np.where(where, foot, outside.center),
+            np.where(where, outward, outside.direction),
+            np.where(here, self.radius, outside.radius),
+        )

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How nodes leave an obstacle that they are inside of: along a direction that their whole run agrees on. Left to itself
+each would take the nearest side, and fold the cable around the obstacle."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry.nearest import HOLE, Nearest
+from ..geometry.runs import runs
+
+
+@dataclass(frozen=True, eq=False)
+class Near:
+    """What is nearest of an obstacle, its number among those of the surroundings, to points with numbers ``where``."""
+
+    obstacle: int
+    where: np.ndarray
+    what: Nearest
+
+
+def leave(rows, near, points, gap, keep, nearest):
+    """Faces for the nodes at ``points`` (n+1, 3) inside an obstacle, across the direction in which each run of them
+    leaves, put in place of their ``rows`` (n+1, 12). ``gap`` (n+1,) is infinite where they may be inside, ``keep`` the
+    distance to keep, ``nearest`` the same of an obstacle as in ``near`` at other points."""
+    distance, normal = np.full(len(points), np.inf), np.zeros((len(points), 3))
+    distance[near.where], normal[near.where] = near.what.distance, near.what.normal
+    inside = (distance < 0) & np.isfinite(gap)
+    inside[near.where[near.what.feature == HOLE]] = False
+    for a, b in runs(inside):
+        run = slice(a, b)
+        depth = -distance[run]
+        out = (depth[:, None] * normal[run]).sum(axis=0)
+        if np.linalg.norm(out) < 0.1 * depth.sum():
+            out = normal[run][np.argmin(depth)]
+        out = out / np.linalg.norm(out)
+        place = points[run].copy()
+        for _ in range(30):
+            left = nearest(near.obstacle, place).distance
+            if (left >= 0).all():
+                break
+            place += np.outer(np.maximum(-left, 0) + 1e-4 * (left < 0), out)
+        rows[run] = 0.0
+        rows[run, :3], rows[run, 3:6], rows[run, 11] = place, out, keep

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A round hole in a triangulated plate: found from a circle, and as near as the torus of its rim says."""
+
+import numpy as np
+import pytest
+
+from freecad_cable.geometry.bore import Bore
+from freecad_cable.geometry.nearest import HOLE
+from freecad_cable.geometry.surface import Surface
+from freecad_cable.transcription import contact
+
+RADIUS, THICKNESS, SIDES = 0.01, 0.004, 48
+FLAT_SIDE = RADIUS * np.cos(np.pi / SIDES)
+"""Way from the axis to the middle of a side, which is all the room that the triangulation leaves."""
+AXIS = np.array([0.0, 0.6, 0.8])
+
+
+@pytest.fixture
+def plate(drilled):
+    return Surface(*drilled(np.zeros(3), AXIS, RADIUS, THICKNESS, SIDES))
+
+
+def bore_of(plate, at):
+    """From the circle ``at`` a way along the axis."""
+    return Bore.around(at * AXIS, AXIS, RADIUS, lambda x: plate.nearest(x).distance)
+
+
+@pytest.mark.parametrize("at", [0.0, THICKNESS / 2, THICKNESS])
+def test_the_hole_is_found_from_any_circle_on_its_wall(plate, at):
+    bore = bore_of(plate, at)
+    assert bore.radius == pytest.approx(FLAT_SIDE, rel=1e-9)
+    assert [bore.low + at, bore.high + at] == pytest.approx([0, THICKNESS], abs=1e-9)
+
+
+@pytest.mark.parametrize(("at", "radius"), [(-0.5 * RADIUS, RADIUS), (0.0, 1.2 * RADIUS)])
+def test_a_circle_that_is_on_no_wall_has_no_hole(plate, at, radius):
+    assert Bore.around(at * AXIS, AXIS, radius, lambda x: plate.nearest(x).distance) is None
+
+
+def points_inside(random, bore):
+    """Within the hole's circle, up to a radius beyond its rims."""
+    across = np.linalg.svd(AXIS[None])[2][1:]
+    angle, aside = random.uniform(0, 2 * np.pi, 300), bore.radius * random.uniform(0.1, 0.98, 300)
+    around = aside[:, None] * (np.stack([np.cos(angle), np.sin(angle)], axis=1) @ across)
+    return around + random.uniform(-RADIUS, THICKNESS + RADIUS, 300)[:, None] * AXIS
+
+
+def test_distance_is_that_of_the_surface_and_the_normal_its_gradient(plate, random):
+    bore = bore_of(plate, 0.0)
+    points = points_inside(random, bore)
+    found = bore.nearest(points, plate.nearest(points))
+    assert (found.feature == HOLE).all()
+    # A corner between two sides is farther from the axis than their middles, by no more than this.
+    assert (
+        np.abs(found.distance - plate.nearest(points).distance).max() <= RADIUS - FLAT_SIDE + 1e-12
+    )
+    step = 1e-7
+    for i in range(3):
+        shift = step * np.eye(3)[i]
+        ahead, behind = (
+            bore.nearest(x, plate.nearest(x)).distance for x in (points + shift, points - shift)
+        )
+        # Central differences are off by (step / distance)², and no point is nearer than 2e-4.
+        assert (ahead - behind) / (2 * step) == pytest.approx(found.normal[:, i], abs=1e-5)
+
+
+def test_a_point_sunk_into_the_wall_is_to_go_back_into_the_hole(plate):
+    bore = bore_of(plate, 0.0)
+    sideways = np.array([1.0, 0.0, 0.0])
+    point = (0.1 * THICKNESS * AXIS + 1.3 * RADIUS * sideways)[None]
+    outside = plate.nearest(point)
+    assert outside.distance == pytest.approx([-0.1 * THICKNESS])
+    found = bore.nearest(point, outside)
+    assert found.normal[0] == pytest.approx(-sideways)
+    assert found.distance == pytest.approx([bore.radius - 1.3 * RADIUS])
+
+
+def test_the_row_of_a_hole_is_zero_at_the_distance_to_keep_and_grows_as_the_distance(plate, random):
+    """Places at the distance to keep from the rim or the wall, and what is beside them."""
+    bore, keep = bore_of(plate, 0.0), 0.4 * RADIUS
+    beyond = random.uniform(-0.95 * keep, 0.95 * keep, 200)
+    along = np.where(beyond < 0, beyond, THICKNESS + beyond)
+    aside = bore.radius - np.sqrt(keep**2 - beyond**2)
+    sideways = np.array([1.0, 0.0, 0.0])
+    points = aside[:, None] * sideways + along[:, None] * AXIS
+    nearest = bore.nearest(points, plate.nearest(points))
+    rows = contact.parameters(nearest, keep)
+    assert nearest.distance == pytest.approx(np.full(200, keep))
+    assert contact.value(points, rows) == pytest.approx(np.zeros(200), abs=1e-15)
+    assert contact.slope(points, rows) == pytest.approx(nearest.normal, abs=1e-9)
+
+
+def test_past_the_rim_the_hole_is_not_in_the_way(plate):
+    bore, keep = bore_of(plate, 0.0), 0.4 * RADIUS
+    point = (-1.01 * keep * AXIS)[None]
+    rows = contact.parameters(bore.nearest(point, plate.nearest(point)), keep)
+    assert np.array_equal(rows, [contact.NONE])
