@@ -77,6 +77,13 @@ def _solve(path: Path, target: Path | None) -> int:
     if not _written(text, target):
         return WRONG_SCENE
     if solution.status.success:
+        if solution.bends_too_sharply:
+            radius, place = solution.min_bend_radius
+            limit = solution.scene.rod.min_bend_radius
+            return _say(
+                f"{path}: warning: it bends to {radius:.4g} m at {place:.4g} m; cable.min_bend_radius is {limit:.4g} m",
+                CONVERGED,
+            )
         return CONVERGED
     return _say(f"{path}: {solution.message}", NOT_SOLVED)
 

@@ -15,6 +15,10 @@ from .complaint import OBSTACLE, in_words
 from .doubts import doubts, unknowns
 from .obstacles import crowded
 from .property_table import Prop
+from .reference import pairs
+
+MUCH_TWIST = 45.0
+"""[deg] Twist from which it is said where it comes from, if nobody has asked for it."""
 
 TABLE = tuple(
     Prop(name, kind, "Result", text, result=True)
@@ -63,7 +67,13 @@ TABLE = tuple(
         (
             "SmallestClearance",
             "Distance",
-            "Least distance between the surface of the cable and an obstacle; infinite if none is in reach",
+            "Least distance between the surface of the cable and an obstacle, where no terminal or support holds it; "
+            "infinite if none is in reach",
+        ),
+        (
+            "Twist",
+            "Angle",
+            "Angle by which the cable is twisted from its start to its end; between clamped ends their rolls make it",
         ),
         ("ElasticEnergy", "Float", "Energy of bending, torsion and stretch, in J"),
         (
@@ -97,6 +107,7 @@ def write(cable, solution: Solution):
     rod = solution.scene.rod
     radius, place = solution.min_bend_radius
     energy, balance, solver = solution.energy, solution.balance, solution.solver
+    cable.Twist = math.degrees(solution.twist)
     cable.SolvedLength = from_si("length", rod.length)
     cable.SmallestBendRadius = from_si("length", radius)
     cable.SmallestBendRadiusAt = from_si("length", place)
@@ -136,10 +147,29 @@ def write_status(cable, scene):
             f"Warning: it passes a ring at an angle and is {-cable.SmallestClearance.Value:.2g} mm inside the rim of "
             "the hole; no shape was found that keeps clear of it, so widen the hole, or change the length or the ring."
         )
+    if abs(cable.Twist.Value) > MUCH_TWIST and not any(map(_is_turned, (cable.Start, cable.End))):
+        sentences.append(_twisted(cable))
     # Enforced, it may lack what the mesh leaves between nodes.
     if cable.BendRadiusMode == "Check" and cable.BendRadiusMargin.Value < 0:
         sentences.append(_too_tight(cable))
     cable.Status = " ".join(sentences)
+
+
+def _is_turned(terminal):
+    """Whether somebody says how a terminal is turned about its axis, or nothing does."""
+    on_geometry = any(
+        path.rpartition(".")[2].startswith(("Edge", "Face"))
+        for _, path in pairs(terminal.Reference)
+    )
+    return terminal.Condition != "Clamped" or terminal.Roll.Value != 0 or not on_geometry
+
+
+def _twisted(cable):
+    return (
+        f"Note: it is twisted by {cable.Twist.Value:.0f}° because {cable.Start.Label} and {cable.End.Label} are "
+        "Clamped, turned as the geometry of their parts happens to be; choose Swivel if the cable may turn while it is "
+        "mounted, or set Roll."
+    )
 
 
 def _too_tight(cable):

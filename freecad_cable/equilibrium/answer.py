@@ -43,8 +43,7 @@ def solution(problem, trial) -> Solution:
         end_violation(scene, position, shape.quaternion),
         support_violation(scene, nodes, arc_length, position, shape.quaternion),
     )
-    depth = problem.surroundings.deepest(shape) * length
-    status, message = _verdict(scene, trial, check, violation, depth)
+    status, message = _verdict(problem, trial, check, violation)
     if status.success and (sentence := _through_itself(problem, shape)):
         status, message = Status.INACCURATE, f"{Status.INACCURATE.value} {sentence}"
     return Solution(
@@ -178,7 +177,7 @@ def _obstacles_left_out(problem, trial):
         yield (
             f"obstacles: {count} {all_of_them} are out of reach of a cable of this length (exact)"
         )
-    if near and not trial.touches:
+    if near and not trial.touches and not problem.surroundings.strict.deepest(trial.shape):
         yield "obstacles in reach: the cable keeps clear of them by itself (exact)"
 
 
@@ -224,7 +223,8 @@ def _energy(problem, trial):
     return Energy(bending, torsion, stretch, gravity)
 
 
-def _verdict(scene, trial, check, violation, depth):
+def _verdict(problem, trial, check, violation):
+    scene = problem.scene
     if trial.slipped:
         place = scene.supports[trial.slipped[0]].place
         return Status.NOT_CONVERGED, (
@@ -238,11 +238,8 @@ def _verdict(scene, trial, check, violation, depth):
             Status.NOT_CONVERGED,
             f"{Status.NOT_CONVERGED.value} The shape it ended with is not held as its ends and supports say.",
         )
-    if depth > 0:
-        keep = f" plus the clearance of {scene.clearance:g} m" if scene.clearance else ""
-        return Status.INACCURATE, (
-            f"{Status.INACCURATE.value} The cable is {depth:.2g} m nearer to an obstacle than its radius{keep} allows."
-        )
+    if sentence := _too_near(problem, trial.shape):
+        return Status.INACCURATE, f"{Status.INACCURATE.value} {sentence}"
     # Where a cable is formed its moments do not follow from its curvature, which is all that the check knows.
     if not trial.nlp.structure.bend_limit and max(check.moment, check.force) > UNBALANCED:
         return Status.INACCURATE, (
@@ -259,6 +256,20 @@ def _verdict(scene, trial, check, violation, depth):
     return (
         Status.INACCURATE,
         f"{Status.INACCURATE.value} {shortfall}, and neither mesh nor time allowed more.",
+    )
+
+
+def _too_near(problem, shape) -> str | None:
+    """A sentence if the cable is nearer to an obstacle than it may be."""
+    scene, length = problem.scene, problem.scaling.length
+    depth = problem.surroundings.deepest(shape) * length
+    if not depth:
+        return None
+    place, obstacle = problem.surroundings.worst(shape)
+    keep = f" plus the clearance of {scene.clearance:g} m" if scene.clearance else ""
+    return (
+        f"At {place * length:.3g} m the cable is {depth:.2g} m nearer to {scene.obstacles[obstacle].place} than its "
+        f"radius{keep} allows."
     )
 
 

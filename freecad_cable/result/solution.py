@@ -4,11 +4,15 @@
 from dataclasses import dataclass, field
 
 import numpy as np
+from scipy.integrate import trapezoid
 
 from ..errors import SolveError
 from ..problem import Scene
 from ..status import Status
 from .balance import Balance
+
+ENFORCED = 1e-4
+"""Share of a bend radius that an enforced one may fall short by: the solvers stop so near to their bounds."""
 
 
 @dataclass(frozen=True)
@@ -129,6 +133,32 @@ class Solution:
     """of a cable that clamps cut into stretches, the solution of each"""
     solver: dict = field(default_factory=dict)
     """name, scheme, elements, iterations, build_time [s], solve_time [s]"""
+
+    @property
+    def bend_radius_margin(self) -> float | None:
+        """Smallest bend radius less the one that the rod allows [m], negative if it is violated; None if it allows any,
+        or if nothing was found."""
+        limit = self.scene.rod.min_bend_radius
+        if limit is None or self.min_bend_radius is None:
+            return None
+        return self.min_bend_radius[0] - limit
+
+    @property
+    def bends_too_sharply(self) -> bool:
+        """Whether it does somewhere, beyond what the solvers leave of a bend radius that is enforced."""
+        margin = self.bend_radius_margin
+        return margin is not None and margin < -ENFORCED * self.scene.rod.min_bend_radius
+
+    @property
+    def twist(self) -> float | None:
+        """Angle by which the rod is twisted from its start to its end, beyond what it is by nature [rad]; None if
+        nothing was found."""
+        if self.stretches:
+            return sum(part.twist for part in self.stretches)
+        if self.curvature is None:
+            return None
+        excess = self.curvature[:, 2] - self.scene.rod.natural_curvature[2]
+        return float(trapezoid(excess, self.arc_length))
 
     def raise_for_status(self) -> "Solution":
         """Itself when the shape may be used; else ``SolveError``."""

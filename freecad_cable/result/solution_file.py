@@ -23,7 +23,13 @@ def solution_data(solution: Solution) -> dict:
         "start_reaction": _load(solution.start_reaction),
         "end_reaction": _load(solution.end_reaction),
         "support_reactions": [_load(load) for load in solution.support_reactions],
-        "min_bend_radius": radius and {"value": _plain(radius[0]), "arc_length": radius[1]},
+        "min_bend_radius": radius
+        and {
+            "value": _plain(radius[0]),
+            "arc_length": radius[1],
+            "margin": _plain(solution.bend_radius_margin),
+        },
+        "twist": solution.twist,
         "formed": [asdict(piece) for piece in solution.formed],
         "contacts": [
             {

@@ -203,6 +203,15 @@ class Surroundings:
         depth = -float(self.between(shape).min())
         return depth if depth > PENETRATION * self.radius else 0.0
 
+    def worst(self, shape: Shape):
+        """(where, relative to the length, and which of the scene's obstacles) the cable enters most."""
+        element = int(np.argmin(self.between(shape)))
+        places = np.linspace(*shape.arc_length[element : element + 2], MOST_INSIDE)
+        fine = shape.on(np.union1d(shape.arc_length, places))
+        which, gaps = self.gaps(fine, self._close)
+        row, node = np.unravel_index(np.argmin(gaps), gaps.shape)
+        return float(fine.arc_length[node]), int(self.indices[which[row]])
+
     def intrusion(self, shape: Shape, weighted=True) -> float:
         """Share of the length that is nearer to an obstacle than it may be, ``weighted`` by how much."""
         gap = self.between(shape)

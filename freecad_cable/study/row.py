@@ -54,15 +54,13 @@ class Row:
         given = {"values": tuple(map(float, values)), "time": time, "note": note}
         if solution is None or solution.position is None:
             return cls(**given, error=error or solution.message)
-        rod, (radius, place) = solution.scene.rod, solution.min_bend_radius
-        margin = None if rod.min_bend_radius is None else radius - rod.min_bend_radius
-        complaint = _complaint(solution, margin)
+        complaint, (radius, place) = _complaint(solution), solution.min_bend_radius
         return cls(
             **given,
-            length=rod.length,
+            length=solution.scene.rod.length,
             smallest_bend_radius=radius,
             smallest_bend_radius_at=place,
-            bend_radius_margin=margin,
+            bend_radius_margin=solution.bend_radius_margin,
             smallest_clearance=solution.min_clearance,
             contact_force=float(sum(np.linalg.norm(c.force) for c in solution.contacts)),
             start_force=float(np.linalg.norm(solution.start_reaction.force)),
@@ -78,16 +76,12 @@ class Row:
         )
 
 
-ENFORCED = 1e-4
-"""Share of a bend radius that an enforced one may fall short by: the solvers stop so near to their bounds."""
-
-
-def _complaint(solution, margin) -> str | None:
+def _complaint(solution) -> str | None:
     """Why an answer does not hold."""
     scene = solution.scene
     if not solution.status.success:
         return solution.message
-    if margin is not None and margin < -ENFORCED * scene.rod.min_bend_radius:
+    if solution.bends_too_sharply:
         radius, place = solution.min_bend_radius
         return f"It bends to {radius:.4g} m at {place:.4g} m; the limit is {scene.rod.min_bend_radius:.4g} m."
     if scene.clearance > 0 and solution.contacts:

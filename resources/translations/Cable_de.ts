@@ -12,6 +12,10 @@
       <translation>Fallbeschleunigung in m/s^2, in den Koordinaten des Behälters des Kabels</translation>
     </message>
     <message>
+      <source>Angle by which the cable is twisted from its start to its end; between clamped ends their rolls make it</source>
+      <translation>Winkel, um den das Kabel vom Anfang bis zum Ende verdrillt ist; zwischen eingespannten Enden folgt er aus deren Drehung</translation>
+    </message>
+    <message>
       <source>Axial stiffness EA; 0: does not stretch</source>
       <translation>Dehnsteifigkeit EA; 0: dehnt sich nicht</translation>
     </message>
@@ -156,8 +160,8 @@
       <translation>Kleinste Biegesteifigkeit, bei der alle Litzen gleiten; 0: nicht bekannt</translation>
     </message>
     <message>
-      <source>Least distance between the surface of the cable and an obstacle; infinite if none is in reach</source>
-      <translation>Kleinster Abstand zwischen der Oberfläche des Kabels und einem Hindernis; unendlich, wenn keines in Reichweite ist</translation>
+      <source>Least distance between the surface of the cable and an obstacle, where no terminal or support holds it; infinite if none is in reach</source>
+      <translation>Kleinster Abstand zwischen der Oberfläche des Kabels und einem Hindernis, wo kein Anschluss und keine Halterung es hält; unendlich, wenn keines in Reichweite ist</translation>
     </message>
     <message>
       <source>Least distance between the surface of the cable and the edge of the hole</source>
@@ -376,8 +380,8 @@
       <translation>Drehung um die Achse der Referenz</translation>
     </message>
     <message>
-      <source>Turn about the cable's axis</source>
-      <translation>Drehung um die Achse des Kabels</translation>
+      <source>Turn about the cable's axis; whole turns do not count</source>
+      <translation>Drehung um die Achse des Kabels; ganze Umdrehungen zählen nicht</translation>
     </message>
     <message>
       <source>Turn the cable into the part instead of out of it</source>

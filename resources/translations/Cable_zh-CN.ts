@@ -12,6 +12,10 @@
       <translation>重力加速度，单位 m/s^2，以线缆所在容器的坐标表示</translation>
     </message>
     <message>
+      <source>Angle by which the cable is twisted from its start to its end; between clamped ends their rolls make it</source>
+      <translation>线缆从起点到终点的扭转角；两端固定时由端子的转角决定</translation>
+    </message>
+    <message>
       <source>Axial stiffness EA; 0: does not stretch</source>
       <translation>轴向刚度 EA；0：不可伸长</translation>
     </message>
@@ -156,8 +160,8 @@
       <translation>最小弯曲刚度，股线全部滑移；0：未知</translation>
     </message>
     <message>
-      <source>Least distance between the surface of the cable and an obstacle; infinite if none is in reach</source>
-      <translation>线缆表面与障碍物之间的最小距离；可及范围内没有障碍物时为无穷大</translation>
+      <source>Least distance between the surface of the cable and an obstacle, where no terminal or support holds it; infinite if none is in reach</source>
+      <translation>线缆表面与障碍物之间的最小距离（端子和支撑固定处除外）；可及范围内没有障碍物时为无穷大</translation>
     </message>
     <message>
       <source>Least distance between the surface of the cable and the edge of the hole</source>
@@ -376,8 +380,8 @@
       <translation>绕参考轴的转角</translation>
     </message>
     <message>
-      <source>Turn about the cable's axis</source>
-      <translation>绕线缆轴线的转角</translation>
+      <source>Turn about the cable's axis; whole turns do not count</source>
+      <translation>绕线缆轴线的转角；整圈不计</translation>
     </message>
     <message>
       <source>Turn the cable into the part instead of out of it</source>

@@ -50,6 +50,32 @@ def test_a_scene_is_solved(scene_file, tmp_path):
     assert {"name", "scheme", "iterations", "build_time", "solve_time"} < set(solution["solver"])
 
 
+def test_a_bend_that_is_too_sharp_is_said_and_is_no_failure(scene_file, tmp_path, data, capsys):
+    """Table 1 bends to 50.8 mm."""
+    target = tmp_path / "solution.json"
+    for limit, said in ((0.05, ""), (0.06, "bends to 0.0508 m")):
+        data["cable"]["min_bend_radius"] = limit
+        assert main(["solve", str(scene_file()), "-o", str(target)]) == 0
+        radius = json.loads(target.read_text())["min_bend_radius"]
+        assert radius["margin"] == pytest.approx(radius["value"] - limit)
+        error = capsys.readouterr().err
+        assert said in error and bool(said) == bool(error)
+
+
+def test_the_obstacle_that_is_too_near_is_named(scene_file, tmp_path, data, capsys):
+    """A pin that a mesh of eight elements leaves between two nodes."""
+    data["cable"] |= {"length": 0.44, "radius": 0.002, "mass_per_length": 0.05}
+    data["start"] = {"kind": "pinned", "position": [0, 0, 0]}
+    data["end"] = {"kind": "pinned", "position": [0.4, 0, 0]}
+    data["options"]["elements"] = 8
+    far = {"kind": "sphere", "center": [0.2, 0, 0.1], "radius": 0.002}
+    pin = {"kind": "sphere", "center": [0.21, 0, -0.078], "radius": 0.002}
+    target = tmp_path / "solution.json"
+    assert main(["solve", str(scene_file(obstacles=[far, pin])), "-o", str(target)]) == 3
+    assert "At 0.23 m the cable is" in capsys.readouterr().err
+    assert "nearer to obstacles[1] than" in json.loads(target.read_text())["message"]
+
+
 def test_several_scenes_go_to_a_folder_and_the_worst_status_wins(scene_file, tmp_path, capsys):
     out = tmp_path / "out"
     good = [scene_file("a"), scene_file("b", gravity=[0, 0, 0])]

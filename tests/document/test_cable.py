@@ -261,3 +261,28 @@ class EditTest(DocumentTest):
             obj.Placement.Base = Vector(1, 2, 3)
             self.assertEqual(obj.Placement, Placement())
         self.compute()
+
+
+class TwistTest(DocumentTest):
+    """Two pins look up; the frames of their edges are half a turn apart, and nobody has asked for that."""
+
+    def test_twist_that_nobody_asked_for_is_said(self):
+        cable = self.cable_between_pins()
+        self.compute()
+        self.assertAlmostEqual(abs(cable.Twist.Value), 180, delta=90)
+        self.assertIn(f"Note: it is twisted by {cable.Twist.Value:.0f}°", cable.Status)
+        self.assertIn(f"{self.start.Label} and {self.end.Label} are Clamped", cable.Status)
+
+    def test_it_is_gone_with_a_swivel(self):
+        cable = self.cable_between_pins()
+        self.end.Condition = "Swivel"
+        self.compute()
+        self.assertAlmostEqual(cable.Twist.Value, 0, delta=1e-3)
+        self.assertNotIn("twisted", cable.Status)
+
+    def test_what_a_roll_asks_for_is_not_said(self):
+        cable = self.cable_between_pins()
+        self.end.Roll = "90 deg"
+        self.compute()
+        self.assertGreater(abs(cable.Twist.Value), 45)
+        self.assertNotIn("twisted", cable.Status)

@@ -135,6 +135,7 @@ def test_twist_of_a_straight_rod(angle):
         exact.moment[0] @ rotation.tangent(exact.quaternion[0]), rel=1e-6
     )
     assert solution.energy.torsion == pytest.approx(0.8 * angle**2 / 2, rel=1e-6)
+    assert solution.twist == pytest.approx(angle, rel=1e-6)
     # Hooke: EA times the strain.
     assert solution.force[:, 0] == pytest.approx(1e4 * 0.002, rel=1e-6)
 
