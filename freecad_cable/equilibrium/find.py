@@ -68,7 +68,7 @@ def _found(scene, start, watch, apart):
 
 
 def _in_one_piece(scene, start, watch, apart):
-    problem = _problem(scene, watch)
+    problem = _problem(scene, watch, _pull(start))
     if isinstance(problem, Solution):
         return problem
     problem.parts = apart
@@ -116,8 +116,16 @@ def find_equilibria(scene: Scene) -> list[Solution]:
         return [solution(problem, trial) for trial in find_all(problem)]
 
 
-def _problem(scene, watch=None):
-    """The ``Problem`` of a scene, or the ``Solution`` that says why it is none. Enters the rooms that need CasADi."""
+def _pull(start) -> float:
+    """Largest force in an earlier solution [N]."""
+    if start is None or start.force is None:
+        return 0.0
+    return float(np.linalg.norm(start.force, axis=1).max())
+
+
+def _problem(scene, watch=None, pull=0.0):
+    """The ``Problem`` of a scene, in which forces may be as large as ``pull`` [N], or the ``Solution`` that says why it
+    is none. Enters the rooms that need CasADi."""
     model = reduce(scene)
     if (sentence := _without_slack(scene)) is not None:
         return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)
@@ -130,8 +138,7 @@ def _problem(scene, watch=None):
             "CasADi is not installed, so no cable can be solved; what was solved before can still be seen. "
             f"Install it with: {INSTALL} casadi"
         ) from error
-    problem = Problem.of(scene, model, watch)
-    return problem
+    return Problem.of(scene, model, watch, pull)
 
 
 def _without_slack(scene):

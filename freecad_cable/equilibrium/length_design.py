@@ -6,6 +6,7 @@ one under its weight), so what is feasible is an interval, or nothing. It is fou
 spline to shorter and to longer ones, each equilibrium starting from the last, and by closing in on both ends.
 """
 
+import time
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -27,6 +28,11 @@ GROWTH = 1.4
 """Factor of the slack from one length that is tried to the next."""
 PRECISION = 1e-5
 """Of the ends of the interval, relative to the length."""
+ROUGHLY = 1e-3
+"""The same where an end is no requirement, but the last length at which an equilibrium was found."""
+PATIENCE, LEAST = 3.0, 2.0
+"""Time for one length, in the longest time that one took until it was solved, and at least [s]: one at which there is
+no equilibrium takes as long as it is given."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +50,10 @@ class Sample:
     def feasible(self) -> bool:
         return self.margin >= 0
 
+    @property
+    def solved(self) -> bool:
+        return self.margin > -np.inf
+
 
 def shortest(scene: Scene, solve) -> Solution:
     """The solution with the shortest feasible length and ``feasible_lengths``; or, if no length is feasible, status
@@ -51,32 +61,36 @@ def shortest(scene: Scene, solve) -> Solution:
 
     ``solve(scene, start=None)`` finds an equilibrium at a given length.
     """
-    way = shortest_way(stations(scene))
-    first = _sample(scene, max(_spline_length(scene), way * (1 + TAUTEST)), solve, None)
-    samples = _walk(scene, solve, way, first, 1 / GROWTH)[::-1] + [first]
-    samples += _walk(scene, solve, way, first, GROWTH)
-    if not any(sample.feasible for sample in samples):
-        samples = _with_best(scene, solve, samples)
-    good = [i for i, sample in enumerate(samples) if sample.feasible]
+    way, sample = shortest_way(stations(scene)), Sampler(scene, solve)
+    first = sample(max(_spline_length(scene), way * (1 + TAUTEST)), None)
+    samples = _walk(sample, way, first, 1 / GROWTH)[::-1] + [first]
+    samples += _walk(sample, way, first, GROWTH)
+    if not any(each.feasible for each in samples):
+        samples = _with_best(sample, samples)
+    good = [i for i, each in enumerate(samples) if each.feasible]
     if not good:
         return _infeasible(samples)
-    a = good[0]
-    b = next(
-        i for i in range(a, len(samples)) if i + 1 == len(samples) or not samples[i + 1].feasible
-    )
+    a = b = good[0]
+    # One length at which none is found between two that will do is the solver's, not the cable's.
+    while any(each.feasible for each in samples[b + 1 : b + 2]) or _skipped(samples[b + 1 : b + 3]):
+        b += 1 if samples[b + 1].feasible else 2
     first, end = samples[a], samples[b]
     if a > 0:
-        first, before = _bracketed(scene, solve, first, samples[a - 1])
-        low = _bound(first, before, "shorter")
+        first, before = _bracketed(sample, first, samples[a - 1], end)
+        low = _bound(first, before, "shorter", "shortest")
     else:
         low = _tried(first, "shortest")
     if b + 1 < len(samples):
-        end, beyond = _bracketed(scene, solve, end, samples[b + 1])
-        high = _bound(end, beyond, "longer")
+        end, beyond = _bracketed(sample, end, samples[b + 1], first)
+        high = _bound(end, beyond, "longer", "longest")
     else:
         high = _tried(end, "longest")
     message = f"{first.solution.message} {low.sentence} {high.sentence}"
     return replace(first.solution, message=message, feasible_lengths=(low, high))
+
+
+def _skipped(two):
+    return len(two) == 2 and not two[0].solved and two[1].feasible
 
 
 def _spline_length(scene) -> float:
@@ -88,31 +102,54 @@ def _spline_length(scene) -> float:
         return 0.0
 
 
-def _walk(scene, solve, way, first, factor) -> list:
+def _walk(sample, way, first, factor) -> list:
     """Samples from the first on, until what was feasible is no more or the end is reached."""
     samples, last = [first], first.solution
     while True:
         length = way + (samples[-1].length - way) * factor
         if not 1 + TAUTEST <= length / way <= LONGEST:
             return samples[1:]
-        samples.append(_sample(scene, length, solve, last))
+        samples.append(sample(length, last))
         before, here = samples[-2:]
-        if here.margin > -np.inf:
+        if here.solved:
             last = here.solution
         # Shorter cables only pull harder; one that does not even solve has no better neighbour there.
-        lost = factor < 1 and here.margin < before.margin and not here.feasible
-        if (before.feasible and not here.feasible) or lost:
+        if factor < 1 and here.margin < before.margin and not here.feasible:
             return samples[1:]
+        # Longer ones do not, and one that does not solve may be an accident.
+        if before.feasible and here.solved and not here.feasible:
+            return samples[1:]
+        if not (before.solved or here.solved):
+            return samples[1:-1]
 
 
-def _sample(scene, length, solve, last) -> Sample:
-    rod = replace(scene.rod, length=length)
-    try:
-        solution = solve(replace(scene, rod=rod, asks_length=False), start=last)
-    except ProblemError as error:
-        return Sample(length, None, -np.inf, "reach", None, str(error))
-    if not solution.status.success:
-        return Sample(length, solution, -np.inf, "equilibrium", None, solution.message)
+class Sampler:
+    """What the lengths of a scene satisfy."""
+
+    def __init__(self, scene, solve):
+        self.scene, self.solve, self.patience = scene, solve, scene.options.time_limit
+
+    def __call__(self, length, last) -> Sample:
+        """``last``: an earlier solution to start from, or None."""
+        scene, limit = self.scene, self.scene.options.time_limit
+        scene = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
+        hurried = replace(scene, options=replace(scene.options, time_limit=self.patience))
+        begin = time.perf_counter()
+        try:
+            solution = self.solve(hurried, start=last)
+        except ProblemError as error:
+            return Sample(length, None, -np.inf, "reach", None, str(error))
+        solution = replace(solution, scene=scene)
+        if not solution.status.success:
+            return Sample(length, solution, -np.inf, "equilibrium", None, solution.message)
+        took = PATIENCE * (time.perf_counter() - begin)
+        known = self.patience if self.patience < limit else 0.0
+        self.patience = min(limit, max(known, took, LEAST))
+        return _judged(scene, solution)
+
+
+def _judged(scene, solution) -> Sample:
+    rod, length = scene.rod, scene.rod.length
     found = []
     if rod.min_bend_radius is not None:
         radius, place = solution.min_bend_radius
@@ -141,42 +178,54 @@ def _sample(scene, length, solve, last) -> Sample:
     return Sample(length, solution, *min(found))
 
 
-def _with_best(scene, solve, samples):
+def _with_best(sample, samples):
     """The samples, and the best length between the neighbours of the best: what is feasible may lie between two."""
-    best = int(np.argmax([sample.margin for sample in samples]))
-    if samples[best].margin == -np.inf:
+    best = int(np.argmax([each.margin for each in samples]))
+    if not samples[best].solved:
         return samples
     low, high = samples[max(best - 1, 0)].length, samples[min(best + 1, len(samples) - 1)].length
     tried = []
 
     def loss(length):
-        tried.append(_sample(scene, float(length), solve, samples[best].solution))
+        tried.append(sample(float(length), samples[best].solution))
         return -max(tried[-1].margin, -1e9)
 
     minimize_scalar(loss, bounds=(low, high), method="bounded", options={"xatol": 1e-4 * high})
-    found = max(tried, key=lambda sample: sample.margin)
-    return sorted([*samples, found], key=lambda sample: sample.length)
+    found = max(tried, key=lambda each: each.margin)
+    return sorted([*samples, found], key=lambda each: each.length)
 
 
-def _bracketed(scene, solve, inside, outside):
+def _bracketed(sample, inside, outside, further):
     """The feasible and the infeasible length next to where feasibility ends: regula falsi (Illinois form) where the
-    margin is known on both sides, else bisection."""
+    margin is known on both sides, else by what the last two feasible ones promise, ``further`` inside the one before.
+    """
     weights = [1.0, 1.0]
-    while abs(outside.length - inside.length) > PRECISION * inside.length:
-        share = 0.5
-        if np.isfinite(outside.margin) and inside.margin < 1e3:
+    while abs(outside.length - inside.length) > _precision(outside) * inside.length:
+        way = outside.length - inside.length
+        if outside.solved and inside.margin < 1e3:
             a, b = inside.margin * weights[0], -outside.margin * weights[1]
             share = a / (a + b)
+        else:
+            share = min(_promised(inside, further) / way, 0.5)
         # At least half the precision from either side, so that the bracket closes.
-        least = PRECISION * inside.length / 2 / abs(outside.length - inside.length)
+        least = _precision(outside) * inside.length / 2 / abs(way)
         share = np.clip(share, least, 1 - least)
-        length = inside.length + share * (outside.length - inside.length)
-        middle = _sample(scene, float(length), solve, inside.solution)
+        middle = sample(float(inside.length + share * way), inside.solution)
         if middle.feasible:
-            inside, weights = middle, [1.0, weights[1] / 2]
+            inside, further, weights = middle, inside, [1.0, weights[1] / 2]
         else:
             outside, weights = middle, [weights[0] / 2, 1.0]
     return inside, outside
+
+
+def _precision(outside):
+    return PRECISION if outside.solved or outside.requirement == "reach" else ROUGHLY
+
+
+def _promised(inside, further):
+    """Way on from the one to where the margin is used up, if it goes on as it does between the two; with its sign."""
+    used, way = further.margin - inside.margin, inside.length - further.length
+    return way * inside.margin / used if 0 < used < 1e3 else np.copysign(np.inf, way)
 
 
 def _tried(sample, which) -> LengthBound:
@@ -184,13 +233,19 @@ def _tried(sample, which) -> LengthBound:
     return LengthBound(sample.length, None, None, sentence)
 
 
-def _bound(inside, outside, direction) -> LengthBound:
-    sentence = f"If {direction} than {inside.length:.6g} m, {outside.sentence}."
+def _bound(inside, outside, direction, which) -> LengthBound:
+    if outside.requirement == "equilibrium":
+        sentence = (
+            f"{inside.length:.6g} m is the {which} at which an equilibrium was found. At {outside.length:.6g} m: "
+            f"{outside.sentence}"
+        )
+    else:
+        sentence = f"If {direction} than {inside.length:.6g} m, {outside.sentence.rstrip('.')}."
     return LengthBound(inside.length, outside.requirement, outside.arc_length, sentence)
 
 
 def _infeasible(samples) -> Solution:
-    best = max(samples, key=lambda sample: sample.margin)
+    best = max(samples, key=lambda each: each.margin)
     if best.solution is None:
         raise ProblemError("cable.length_mode", f"no length will do: {best.sentence}")
     longest = samples[-1].length

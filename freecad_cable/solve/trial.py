@@ -35,8 +35,6 @@ LEADEN = 3e5
 ACTING = 1e-6
 """Push of a bound, in units of force, below which it is none: the solvers leave their tolerance of 1e-9 over the
 distance to a bound that does not act."""
-
-
 MARGIN = 1.1
 """On the error estimate, which else is as often below the true error as above it, by up to a tenth (160 rows of
 `./run bench`)."""
@@ -183,12 +181,13 @@ class Problem:
     """whether the cable must be formed to keep its bend radius; first it is solved as if it need not"""
 
     @classmethod
-    def of(cls, scene: Scene, model: Model, watch=None) -> "Problem":
+    def of(cls, scene: Scene, model: Model, watch=None, pull=0.0) -> "Problem":
+        """``pull``: force that is known to occur [N]."""
         deadline = time.perf_counter() + scene.options.time_limit
         scaling = Scaling.of(scene)
         layered = layers(scene, scaling)
         pulls = [np.linalg.norm(each.pull) for each in hold(layered)]
-        scaling = scaling.pulled(max(pulls, default=0.0))
+        scaling = scaling.pulled(max(pulls, default=0.0)).fit_for(pull)
         return cls(scene, model, scaling, layered, deadline, watch=watch)
 
     @cached_property

@@ -16,6 +16,10 @@ from ..problem.reach import play
 from ..problem.reduce import orientation
 from .shape import Shape
 
+MUCH = 30.0
+"""Force, in units of force, from which it becomes the unit: with contact on a taut cable, from some hundreds on fatrop
+needs ten times the iterations, or fails."""
+
 
 @dataclass(frozen=True)
 class Scaling:
@@ -51,6 +55,11 @@ class Scaling:
         """That of a rod under a tension of at least ``pull``, in EI/L²."""
         factor = max(1.0, pull / self.tightness)
         return replace(self, force=self.force * factor, tightness=self.tightness * factor)
+
+    def fit_for(self, force) -> "Scaling":
+        """The same unless a ``force`` [N] is so many units that solvers cannot balance it to their tolerance."""
+        much = force > MUCH * self.force
+        return self.pulled(force * self.tightness / self.force) if much else self
 
     @property
     def energy(self) -> float:

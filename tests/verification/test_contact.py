@@ -103,7 +103,7 @@ def over():
     solution = None
     for height in (-0.25, -0.15, -0.05, 0.0):
         solution = find_equilibrium(draped(height), start=solution).raise_for_status()
-    fine = replace(draped(), options=SolveOptions(tolerance=3e-7))
+    fine = replace(draped(), options=SolveOptions(tolerance=5e-8))
     return find_equilibrium(fine, start=solution).raise_for_status()
 
 

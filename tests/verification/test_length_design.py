@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The length as the answer: just shorter a requirement fails, and a length at which no solver finds anything is told as
+such."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from freecad_cable.equilibrium import find_equilibrium
+from freecad_cable.equilibrium.length_design import PATIENCE, PRECISION, ROUGHLY, shortest
+from freecad_cable.problem import Box, Rod, Scene, Swivel
+from freecad_cable.result import Solution
+from freecad_cable.status import Status
+
+LIMIT = 0.04
+
+
+def scene(**more):
+    """A cable that hangs from two swivels that look down, and is asked for its length."""
+    rod = Rod(
+        length=0.3,
+        radius=0.003,
+        mass_per_length=0.05,
+        bending_stiffness=1e-3,
+        torsional_stiffness=1e-3,
+        min_bend_radius=LIMIT,
+    )
+    ends = Swivel([0, 0, 0], [0, 0, -1], place="start"), Swivel([0.2, 0, 0], [0, 0, 1])
+    return Scene(rod=rod, start=ends[0], end=ends[1], asks_length=True, **more)
+
+
+def at(found, length):
+    rod = replace(found.scene.rod, length=length)
+    return find_equilibrium(replace(found.scene, rod=rod), start=found)
+
+
+@pytest.mark.parametrize("obstacles", [(), (Box([0.1, 0, -0.18], [1, 0, 0, 0], [0.3, 0.3, 0.1]),)])
+def test_just_shorter_it_bends_too_sharply(obstacles):
+    found = find_equilibrium(scene(obstacles=obstacles)).raise_for_status()
+    low, high = found.feasible_lengths
+    assert found.scene.rod.length == low.length < high.length
+    assert low.requirement == "bend radius"
+    assert found.bend_radius_margin >= 0
+    # Twice the precision, for the ends of the interval are off by it, and so is each solve.
+    assert at(found, low.length * (1 - 2 * PRECISION)).bend_radius_margin < 0
+
+
+def pretended(margin, fails=lambda length: False, seconds=lambda length: 0.0, clock=None):
+    """A solver whose cables of a length miss the limit by that, and which fails at some lengths."""
+    asked = []
+
+    def solve(scene, start=None):
+        length = scene.rod.length
+        asked.append((length, scene.options.time_limit))
+        if clock is not None:
+            clock[0] += seconds(length)
+        if fails(length):
+            return Solution(scene=scene, status=Status.NOT_CONVERGED, message="Nothing was found.")
+        return Solution(
+            scene=scene,
+            status=Status.CONVERGED,
+            message="Fine.",
+            min_bend_radius=(LIMIT * (1 + margin(length)), 0.1),
+        )
+
+    return solve, asked
+
+
+def test_one_length_that_no_solver_finds_is_no_end():
+    gap = []
+
+    def fails(length):
+        gap.extend([length] if length > 0.4 and not gap else [])
+        return length in gap
+
+    solve, _ = pretended(lambda length: min(length - 0.25, 0.6 - length), fails)
+    low, high = shortest(scene(), solve).feasible_lengths
+    assert gap
+    assert (low.length, high.length) == pytest.approx((0.25, 0.6), rel=PRECISION)
+    assert low.requirement == high.requirement == "bend radius"
+
+
+def test_where_no_equilibrium_is_found_it_is_said_and_not_looked_for_closely():
+    solve, asked = pretended(lambda length: 1.0, lambda length: not 0.26 < length < 0.5)
+    low, high = shortest(scene(), solve).feasible_lengths
+    assert (low.length, high.length) == pytest.approx((0.26, 0.5), rel=ROUGHLY)
+    assert low.requirement == high.requirement == "equilibrium"
+    assert high.sentence.startswith(f"{high.length:.6g} m is the longest at which an equilibrium")
+    assert high.sentence.endswith("Nothing was found.")
+    # 9 until an end is passed, and of a bracket of 0.1 and one of 0.15 halves until they are ROUGHLY narrow, 7 and 8.
+    assert len(asked) <= 9 + 7 + 8
+
+
+def test_a_length_gets_the_time_that_others_took(monkeypatch):
+    clock = [0.0]
+    monkeypatch.setattr("time.perf_counter", lambda: clock[0])
+    solve, asked = pretended(lambda length: length - 0.25, seconds=lambda _: 1.0, clock=clock)
+    shortest(scene(), solve)
+    assert asked[0][1] == scene().options.time_limit
+    assert {limit for _, limit in asked[1:]} == {PATIENCE}
+
+
+def test_the_scene_of_the_answer_has_the_time_limit_that_was_given():
+    found = find_equilibrium(scene())
+    assert found.scene.options == scene().options
+    assert np.isfinite(found.scene.rod.length)
