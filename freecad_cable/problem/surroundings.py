@@ -13,6 +13,8 @@ STRETCH = 1.05
 
 def in_reach(scene, obstacles) -> np.ndarray:
     """(k,) whether the cable of a scene, whatever its shape, may touch each of k obstacles, or what has ``bounds``."""
+    if not len(obstacles):
+        return np.zeros(0, bool)
     held = [end.position for end in (scene.start, scene.end) if not isinstance(end, Free)]
     first, *second = held or [scene.supports[0].position]
     length = scene.rod.length * (1 if scene.rod.axial_stiffness is None else STRETCH)
