@@ -35,7 +35,7 @@ CHANCE = 3.0
 """By how much more than first order the error of a mesh is taken to be, from the changes before it."""
 FIRST = 64
 """Elements of the first mesh."""
-MESHES = (96, 96, 128, 128, 192, 256, 256, 256)
+MESHES = (96, 96, 128, 128, 192, 256, 256, 256, 384, 384)
 LOST = 0.02
 """Change from mesh to mesh that is no refinement."""
 NARROWEST = 3e-5
