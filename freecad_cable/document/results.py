@@ -166,7 +166,7 @@ def _is_turned(terminal):
 
 def _twisted(cable):
     return (
-        f"Note: it is twisted by {cable.Twist.Value:.0f}° because {cable.Start.Label} and {cable.End.Label} are "
+        f"Warning: it is twisted by {cable.Twist.Value:.0f}° because {cable.Start.Label} and {cable.End.Label} are "
         "Clamped, turned as the geometry of their parts happens to be; choose Swivel if the cable may turn while it is "
         "mounted, or set Roll."
     )

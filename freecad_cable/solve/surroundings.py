@@ -223,18 +223,25 @@ class Surroundings:
         if not self.obstacles:
             return np.full(len(shape.steps), np.inf)
         if shape not in self._seen:
-            least = self._least(shape, counts := np.full(len(shape.steps), INSIDE))
-            # No gap between samples is less than that at one of them by more than half their distance.
-            doubtful = least < shape.steps / counts / 2
+            counts, apart = np.full(len(shape.steps), INSIDE), shape.steps / INSIDE
+            least = self._least(shape, counts, max(self._close, self.keep + apart.max()))
+            # No gap between samples is less than that at the nearer of them by more than half their distance; a node
+            # that is held says nothing of what is beside it.
+            half = apart / 2
+            for node in held_nodes(self.scene, shape):
+                half[max(node - 1, 0) : node + 1] *= 2
+            doubtful = least < half
             if doubtful.any():
                 closer = np.ceil(shape.steps / (CLOSER * self.radius)).clip(INSIDE, MOST_INSIDE)
-                least = self._least(shape, np.where(doubtful, closer, counts).astype(int))
+                counts = np.where(doubtful, closer, counts).astype(int)
+                least = self._least(shape, counts, self._close)
             self._seen[shape] = least
         return self._seen[shape]
 
-    def _least(self, shape, counts):
-        """(n,) smallest gap over each element, at so many (n,) samples each and at its ends."""
-        _, gaps = self.gaps(_fine(shape, counts), self._close)
+    def _least(self, shape, counts, within):
+        """(n,) smallest gap over each element, at so many (n,) samples each and at its ends; infinite where no obstacle
+        is ``within`` a distance."""
+        _, gaps = self.gaps(_fine(shape, counts), within)
         least = gaps.min(axis=0, initial=np.inf)
         begin = np.append(0, np.cumsum(counts))
         return np.minimum(np.minimum.reduceat(least[:-1], begin[:-1]), least[begin[1:]])

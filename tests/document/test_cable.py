@@ -208,7 +208,7 @@ class EditTest(DocumentTest):
         self.type.BendRadiusConvention = "Centreline"
         self.compute()
         self.assertAlmostEqual(self.cable.BendRadiusMargin.Value, radius - 30, delta=1e-2)
-        self.assertNotIn("Warning", self.cable.Status)
+        self.assertNotIn("tightest", self.cable.Status)
         self.type.MinBendRadius = "90 mm"
         self.compute()
         self.assertLess(self.cable.BendRadiusMargin.Value, 0)
@@ -270,7 +270,7 @@ class TwistTest(DocumentTest):
         cable = self.cable_between_pins()
         self.compute()
         self.assertAlmostEqual(abs(cable.Twist.Value), 180, delta=90)
-        self.assertIn(f"Note: it is twisted by {cable.Twist.Value:.0f}°", cable.Status)
+        self.assertIn(f"Warning: it is twisted by {cable.Twist.Value:.0f}°", cable.Status)
         self.assertIn(f"{self.start.Label} and {self.end.Label} are Clamped", cable.Status)
 
     def test_it_is_gone_with_a_swivel(self):

@@ -71,8 +71,9 @@ def by_macro():
     """The steps without a window; gives the numbers."""
     document = FreeCAD.newDocument("Macro")
     unit = assembly(document)
-    ends = [make.terminal(document, (unit, edge)) for edge in EDGES]
-    cable = make.cable(document, start=ends[0], end=ends[1])
+    start, end = (make.terminal(document, (unit, edge)) for edge in EDGES)
+    end.Condition = "Swivel"
+    cable = make.cable(document, start=start, end=end)
     cable.CableType.MinBendRadius = LIMIT
     cable.LengthMode = "Shortest"
     document.recompute()
@@ -136,6 +137,7 @@ class Hand:
         FreeCADGui.runCommand("Cable_Cable")
 
     def say_how_sharply_it_may_bend(self):
+        self.document.Cable.End.Condition = "Swivel"
         self.document.CableType.MinBendRadius = LIMIT
         self.document.recompute()
 
