@@ -6,7 +6,16 @@ from statistics import median
 
 import numpy as np
 
-from benchmarks import plot, ratios, report_extreme, report_studies, report_times, stored
+from benchmarks import (
+    plot,
+    ratios,
+    report_contact,
+    report_extreme,
+    report_studies,
+    report_times,
+    stored,
+)
+from benchmarks.among import Among
 from benchmarks.cases import CASES, DRAG, TABLE_1
 from benchmarks.left_out import LeftOut
 from benchmarks.markdown import dash, ends, milliseconds, outcome, table
@@ -47,6 +56,7 @@ def write():
         *_left_out(stored.read(LeftOut)),
         *report_studies.section(stored.read(Study)),
         *report_extreme.section(),
+        *report_contact.section(stored.read(Among)),
     ]
     text = "\n\n".join(sections) + "\n"
     (stored.FOLDER / "README.md").write_text(text, encoding="utf-8")

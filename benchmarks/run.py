@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Error against run time, peers, extreme scenes: writes rows, pictures and a report of them into docs/benchmarks/.
+"""Error against run time, peers, extreme scenes, contact: writes rows, pictures and a report into docs/benchmarks/.
 
 Named parts alone are run anew and the others keep their rows; every part stores its rows when it is done.
 """
@@ -12,7 +12,17 @@ from pathlib import Path
 # Run by its path, it would find neither itself nor the package.
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from benchmarks import left_out, machine, plot, profile_solve, report, scaling, stored, studies
+from benchmarks import (
+    among,
+    left_out,
+    machine,
+    plot,
+    profile_solve,
+    report,
+    scaling,
+    stored,
+    studies,
+)
 from benchmarks.cases import CASES, TABLE_1
 from benchmarks.exact import Exact
 from benchmarks.extreme import families, random_scenes
@@ -29,7 +39,8 @@ MESHES = (8, 16, 32, 64, 128, 256, 512)
 MESHED = ("table 1, 0.73 m", "anisotropic")
 RACE_ELEMENTS, RACE_ROUNDS = 50, 15
 TRUTHS, RANDOM_TRUTHS = 2, 10
-"""Of so many extreme and random scenes one is asked for its true error, which takes longer than solving it."""
+"""Of so many scenes, extreme ones and in contact, and random ones, one is asked for its true error, which takes longer
+than solving it."""
 
 
 def _profile(say, exact):
@@ -82,6 +93,10 @@ def _extreme(say, exact):
     yield from outcomes(random_scenes(), RANDOM_TRUTHS)
 
 
+def _contact(say, exact):
+    yield from among.outcomes(among.scenes(), TRUTHS)
+
+
 PARTS = {
     "profile": _profile,
     "meshes": _meshes,
@@ -92,6 +107,7 @@ PARTS = {
     "left-out": _left_out,
     "peers": _peers,
     "extreme": _extreme,
+    "contact": _contact,
     "studies": _studies,
 }
 

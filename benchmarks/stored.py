@@ -5,6 +5,7 @@ import csv
 from dataclasses import astuple, fields
 from pathlib import Path
 
+from benchmarks.among import Among
 from benchmarks.left_out import LeftOut
 from benchmarks.measure import Mesh, Race, Work
 from benchmarks.outcomes import Outcome
@@ -24,6 +25,7 @@ FILES = {
     LeftOut: "left-out.csv",
     Peer: "peers.csv",
     Outcome: "extreme.csv",
+    Among: "contact.csv",
     Part: "profile.csv",
     Study: "studies.csv",
     Run: "runs.csv",
@@ -60,4 +62,6 @@ def _value(text, kind):
         return text
     if text == "":
         return None
+    if kind is bool:
+        return text == str(True)
     return int(text) if kind in (int, int | None) else float(text)
