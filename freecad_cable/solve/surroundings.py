@@ -98,9 +98,10 @@ class Surroundings:
         return support
 
     def nearest(self, points, within=np.inf, always=()) -> list[Near]:
-        """Of the obstacles that may be ``within`` a distance of one of the points (m, 3), what is nearest to the points
-        that may be so near, and to those with these numbers ``always``; without units."""
-        low, high = points.min(axis=0) - within, points.max(axis=0) + within
+        """Of the obstacles that may be ``within`` a distance (one, or m) of one of the points (m, 3), what is nearest
+        to the points that may be so near, and to those with these numbers ``always``; without units."""
+        farthest = np.max(within)
+        low, high = points.min(axis=0) - farthest, points.max(axis=0) + farthest
         beside = np.flatnonzero(
             ((self.boxes[:, 0] <= high) & (self.boxes[:, 1] >= low)).all(axis=1)
         )
@@ -224,7 +225,7 @@ class Surroundings:
             return np.full(len(shape.steps), np.inf)
         if shape not in self._seen:
             counts, apart = np.full(len(shape.steps), INSIDE), shape.steps / INSIDE
-            least = self._least(shape, counts, max(self._close, self.keep + apart.max()))
+            least = self._least(shape, counts, np.maximum(self._close, self.keep + apart))
             # No gap between samples is less than that at the nearer of them by more than half their distance; a node
             # that is held says nothing of what is beside it.
             half = apart / 2
@@ -233,14 +234,16 @@ class Surroundings:
             doubtful = least < half
             if doubtful.any():
                 closer = np.ceil(shape.steps / (CLOSER * self.radius)).clip(INSIDE, MOST_INSIDE)
-                counts = np.where(doubtful, closer, counts).astype(int)
-                least = self._least(shape, counts, self._close)
+                counts = np.where(doubtful, closer, 1).astype(int)
+                closely = self._least(shape, counts, np.where(doubtful, self._close, 0.0))
+                least = np.where(doubtful, closely, least)
             self._seen[shape] = least
         return self._seen[shape]
 
     def _least(self, shape, counts, within):
         """(n,) smallest gap over each element, at so many (n,) samples each and at its ends; infinite where no obstacle
-        is ``within`` a distance."""
+        is ``within`` a distance (n,)."""
+        within = np.append(np.repeat(within, counts), within[-1])
         _, gaps = self.gaps(_fine(shape, counts), within)
         least = gaps.min(axis=0, initial=np.inf)
         begin = np.append(0, np.cumsum(counts))
