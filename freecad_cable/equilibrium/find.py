@@ -164,6 +164,11 @@ def _advice(scene):
             return (
                 f"Its length is only {100 * (ratio - 1):.3g} % above the chord; give it more slack."
             )
+    if scene.obstacles:
+        return (
+            "It may be too short to get past the obstacles, or have no way between them: try it longer, or with some "
+            "of them left out."
+        )
     return "Check lengths, stiffness and mass for a wrong unit; a different length may be easier."
 
 

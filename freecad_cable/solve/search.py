@@ -236,11 +236,13 @@ def off_saddle(problem, trial):
 
 
 def finer(problem, trial):
-    """On twice as many elements; the same if that is not to be had, or features of obstacles belong to its nodes."""
-    if trial.touches or problem.scene.options.elements is not None:
+    """On twice as many elements; the same if that is not to be had."""
+    if problem.scene.options.elements is not None:
         return trial
     nodes = mesh.refined(trial.shape, mesh.size(2 * len(trial.shape.steps)))
     try:
+        if trial.touches:
+            return contact.finer(problem, trial)
         return problem.solve(trial.shape.on(nodes)) or trial
     except TimeUpError:
         return trial
