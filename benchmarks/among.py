@@ -4,7 +4,6 @@
 Each is solved once, and how deep the cable is in an obstacle is found from the answer alone.
 """
 
-import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -16,6 +15,7 @@ from scipy.interpolate import CubicHermiteSpline
 from benchmarks.cases import GRAVITY, TABLE_1
 from benchmarks.extreme import X, clamped
 from benchmarks.guarded import Guarded
+from benchmarks.outcomes import answered
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
@@ -204,23 +204,8 @@ def outcomes(drawn: Iterable[Drawn], every: int) -> Iterator[Among]:
 
 def outcome(drawn: Drawn, solve=find_equilibrium, truth=None) -> Among:
     """``solve`` finds the equilibrium, ``truth`` the true error of one; those that may hang want to be guarded."""
-    row = Among(drawn.family, drawn.seed, "")
-    begin = time.perf_counter()
-    try:
-        solution = solve(drawn.scene)
-    except Exception as error:  # noqa: BLE001  Whatever goes wrong with a problem is its row.
-        seconds = time.perf_counter() - begin
-        return replace(row, status=type(error).__name__, message=str(error), seconds=seconds)
-    seconds = time.perf_counter() - begin
-    said = solution.solver
-    row = replace(
-        row,
-        status=solution.status.name,
-        message=solution.message,
-        seconds=seconds - said.get("build_time", 0.0),
-        elements=said.get("elements"),
-    )
-    if solution.position is None:
+    row, solution = answered(Among(drawn.family, drawn.seed, ""), drawn.scene, solve)
+    if solution is None or solution.position is None:
         return row
     row = replace(
         row,
@@ -233,7 +218,7 @@ def outcome(drawn: Drawn, solve=find_equilibrium, truth=None) -> Among:
         return row
     try:
         finer, apart, estimate = truth(solution)
-    except Exception as error:  # noqa: BLE001  As above.
+    except Exception as error:  # noqa: BLE001  Whatever goes wrong with a problem is its row.
         return replace(row, finer=type(error).__name__)
     return replace(row, finer=finer, error=apart, finer_estimate=estimate)
 

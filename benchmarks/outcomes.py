@@ -76,23 +76,11 @@ def outcome(extreme: Extreme, solve=find_equilibrium, truth=None) -> Outcome:
     """``solve`` finds the equilibrium, ``truth`` the true error of one; those that may hang want to be guarded."""
     scene = extreme.scene
     row = Outcome(extreme.family, extreme.row, extreme.column, "")
-    begin = time.perf_counter()
-    try:
-        solution = solve(scene)
-    except Exception as error:  # noqa: BLE001  Whatever goes wrong with a problem is its row.
-        seconds = time.perf_counter() - begin
-        return replace(row, status=type(error).__name__, message=str(error), seconds=seconds)
-    seconds = time.perf_counter() - begin
+    row, solution = answered(row, scene, solve)
+    if solution is None:
+        return row
     said = solution.solver
-    row = replace(
-        row,
-        status=solution.status.name,
-        message=solution.message,
-        seconds=seconds - said.get("build_time", 0.0),
-        build=said.get("build_time", 0.0),
-        iterations=said.get("iterations"),
-        elements=said.get("elements"),
-    )
+    row = replace(row, build=said.get("build_time", 0.0), iterations=said.get("iterations"))
     if solution.position is None:
         return row
     return replace(
@@ -102,6 +90,26 @@ def outcome(extreme: Extreme, solve=find_equilibrium, truth=None) -> Outcome:
         balance_moment=solution.balance.moment,
         balance_force=solution.balance.force,
     )
+
+
+def answered(row, scene, solve):
+    """(row, solution or None): how it ended, with what mesh, and how long it took without building solvers."""
+    begin = time.perf_counter()
+    try:
+        solution = solve(scene)
+    except Exception as error:  # noqa: BLE001  Whatever goes wrong with a problem is its row.
+        seconds = time.perf_counter() - begin
+        failed = {"status": type(error).__name__, "message": str(error), "seconds": seconds}
+        return replace(row, **failed), None
+    seconds = time.perf_counter() - begin
+    row = replace(
+        row,
+        status=solution.status.name,
+        message=solution.message,
+        seconds=seconds - solution.solver.get("build_time", 0.0),
+        elements=solution.solver.get("elements"),
+    )
+    return row, solution
 
 
 def _known(truth, solution):
