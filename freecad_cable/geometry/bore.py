@@ -13,6 +13,8 @@ from .nearest import HOLE, Nearest
 
 ON_CIRCLE = 0.05
 """Distance, in radii, up to which what is around a circle is taken for a hole: that of a triangulation in 12 parts."""
+NARROWER = 1e-3
+"""Distance, in radii, by which what is around the axis may be nearer than the wall: else it is no part of the hole."""
 STEP, FARTHEST = 0.25, 12.0
 """Places along the axis at which the ends of a hole are looked for, in its radii."""
 
@@ -41,6 +43,8 @@ class Bore:
         ):
             return None
         below, above = np.flatnonzero(wider[:middle])[-1], middle + np.argmax(wider[middle:])
+        if there[below + 1 : above].min() < inner - NARROWER * radius:
+            return None
         # From the axis beyond an end, its rim is what is nearest.
         low, high = (
             along[k] + side * np.sqrt(there[k] ** 2 - inner**2)
@@ -60,7 +64,8 @@ class Bore:
         beyond = along - np.clip(along, self.low, self.high)
         inside = aside <= self.radius
         distance = np.where(inside, np.hypot(self.radius - aside, beyond), self.radius - aside)
-        same = np.abs(distance - outside.distance) < 2 * ON_CIRCLE * self.radius
+        farther = (outside.distance - distance) / self.radius
+        same = (farther > -NARROWER) & (farther < 2 * ON_CIRCLE)
         # Inside a thin plate the face is nearer than the hole that the cable is to go back into.
         sunk = (outside.distance < 0) & (beyond == 0) & (aside < 2 * self.radius)
         here = np.where(inside, same, sunk)

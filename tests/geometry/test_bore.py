@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A round hole in a triangulated plate: found from a circle, and as near as the torus of its rim says."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -35,6 +37,27 @@ def test_the_hole_is_found_from_any_circle_on_its_wall(plate, at):
 @pytest.mark.parametrize(("at", "radius"), [(-0.5 * RADIUS, RADIUS), (0.0, 1.2 * RADIUS)])
 def test_a_circle_that_is_on_no_wall_has_no_hole(plate, at, radius):
     assert Bore.around(at * AXIS, AXIS, radius, lambda x: plate.nearest(x).distance) is None
+
+
+@pytest.mark.parametrize(("below", "found"), [(1.0, True), (0.97, False)])
+def test_a_countersunk_hole_is_no_bore(below, found):
+    """A radius deep; below the circle, where the cone of the countersink ends, it may be narrower than there."""
+
+    def distance(points):
+        along = points @ AXIS / RADIUS
+        wall = np.where((along < 0) & (along > -1), below, 1.0)
+        return RADIUS * (wall + np.maximum(np.abs(along) - 1, 0.0))
+
+    assert (Bore.around(np.zeros(3), AXIS, RADIUS, distance) is not None) == found
+
+
+def test_what_is_nearer_than_the_wall_stays(plate):
+    """A bump in the hole that is a tenth of the radius high."""
+    bore, points = bore_of(plate, 0.0), np.array([[0.5 * RADIUS, 0.0, 0.0]])
+    surface = plate.nearest(points)
+    bump = replace(surface, distance=surface.distance - 0.1 * RADIUS)
+    assert bore.nearest(points, surface).feature == [HOLE]
+    assert bore.nearest(points, bump).distance == bump.distance
 
 
 def points_inside(random, bore):
