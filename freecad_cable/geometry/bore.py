@@ -15,8 +15,12 @@ ON_CIRCLE = 0.05
 """Distance, in radii, up to which what is around a circle is taken for a hole: that of a triangulation in 12 parts."""
 NARROWER = 1e-3
 """Distance, in radii, by which what is around the axis may be nearer than the wall: else it is no part of the hole."""
-STEP, FARTHEST = 0.25, 12.0
-"""Places along the axis at which the ends of a hole are looked for, in its radii."""
+STEP, NEAR, FARTHEST = 0.25, 1.0, 12.0
+"""Places along the axis at which the hole and its ends are looked for, in radii of the circle."""
+MOSTLY = 2 / 3
+"""Share of the wall that is there: a hole may have a slot."""
+NARROWEST = 0.4
+"""Radius of a hole, in those of the circle, which may be at the rim of its countersink."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,18 +35,19 @@ class Bore:
 
     @classmethod
     def around(cls, center, axis, radius, distance) -> "Bore | None":
-        """The hole that a circle is on the wall or at the rim of, if that is what is around it; ``distance`` of a solid
-        from points (m, 3)."""
+        """The hole that a circle is on the wall or at the rim of, or at the rim of its chamfer, if that is what is
+        around it; ``distance`` of a solid from points (m, 3)."""
         along = radius * np.arange(-FARTHEST, FARTHEST + STEP / 2, STEP)
-        middle = len(along) // 2
         there = distance(center + along[:, None] * axis)
-        inner = there[middle]
+        narrowest = int(np.argmin(np.where(np.abs(along) <= NEAR * radius, there, np.inf)))
+        inner = there[narrowest]
         wider = there > inner * (1 + ON_CIRCLE)
-        if abs(inner - radius) > ON_CIRCLE * radius or not (
-            wider[:middle].any() and wider[middle:].any()
+        if not NARROWEST < inner / radius < 1 + ON_CIRCLE or not (
+            wider[:narrowest].any() and wider[narrowest:].any()
         ):
             return None
-        below, above = np.flatnonzero(wider[:middle])[-1], middle + np.argmax(wider[middle:])
+        below = np.flatnonzero(wider[:narrowest])[-1]
+        above = narrowest + np.argmax(wider[narrowest:])
         if there[below + 1 : above].min() < inner - NARROWER * radius:
             return None
         # From the axis beyond an end, its rim is what is nearest.
@@ -50,7 +55,23 @@ class Bore:
             along[k] + side * np.sqrt(there[k] ** 2 - inner**2)
             for k, side in ((below, 1), (above, -1))
         )
-        return cls(center, axis, inner, low, high)
+        found = cls(center, axis, inner, low, high)
+        on_wall = distance(found.circle((low + high) / 2)) < ON_CIRCLE * inner
+        return found if on_wall.mean() > MOSTLY else None
+
+    def circle(self, along) -> np.ndarray:
+        """(24, 3) points of its wall, at a place along its axis."""
+        angle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+        across = np.linalg.svd(self.axis[None])[2][1:]
+        around = np.stack([np.cos(angle), np.sin(angle)], axis=1) @ across
+        return self.center + along * self.axis + self.radius * around
+
+    def way(self, along, keep) -> float:
+        """How far from the axis is as far from the hole as one must ``keep``, at a place along the axis."""
+        beyond = along - np.clip(along, self.low, self.high)
+        if abs(beyond) >= keep:
+            return np.inf
+        return self.radius - np.sqrt(keep**2 - beyond**2)
 
     def nearest(self, points, outside: Nearest) -> Nearest:
         """What is nearest to points (m, 3), of which ``outside`` knows the nearest feature of the whole solid: that, or

@@ -92,9 +92,8 @@ class Surroundings:
     def _narrowed(self, support):
         for bore in (bore for each in self.holes.values() for bore in each):
             if (self.scaling.point(support.position) == bore.center).all():
-                return replace(
-                    support, radius=bore.radius * self.scaling.length - self.scene.clearance
-                )
+                radius = (bore.way(0.0, self.keep) + self.radius) * self.scaling.length
+                return replace(support, radius=min(radius, support.radius))
         return support
 
     def nearest(self, points, within=np.inf, always=()) -> list[Near]:
@@ -149,8 +148,10 @@ class Surroundings:
         for row, each in zip(gap, found, strict=True):
             row[each.where] = each.what.distance - self.keep
         allowed = gap.copy()
-        rings = dict(self._rings(shape))
+        rings, obstructed = self._rings(shape)
         for node in held_nodes(self.scene, shape):
+            if node in obstructed:
+                continue
             away = np.abs(shape.arc_length - shape.arc_length[node])
             missing = np.maximum(-gap[:, node], 0.0)
             # What is as near to a ring as its rim is what the ring is in: there the ring is the contact.
@@ -164,10 +165,14 @@ class Surroundings:
         return allowed
 
     def _rings(self, shape):
-        """(node, radius) of the rings whose rims are left to them."""
+        """(radius by node of the rings whose rims are left to them, nodes of those whose rims are obstacles)."""
+        alone, obstructed = {}, set()
         for support, joint in zip(self.scene.supports, shape.joints, strict=True):
-            if isinstance(support, Ring) and not self._by_rim(support):
-                yield joint.node, support.radius / self.scaling.length
+            if self._by_rim(support):
+                obstructed.add(joint.node)
+            elif isinstance(support, Ring):
+                alone[joint.node] = support.radius / self.scaling.length
+        return alone, obstructed
 
     def _by_rim(self, support):
         """Whether a support is a ring whose rim is an obstacle."""

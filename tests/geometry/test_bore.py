@@ -34,19 +34,52 @@ def test_the_hole_is_found_from_any_circle_on_its_wall(plate, at):
     assert [bore.low + at, bore.high + at] == pytest.approx([0, THICKNESS], abs=1e-9)
 
 
-@pytest.mark.parametrize(("at", "radius"), [(-0.5 * RADIUS, RADIUS), (0.0, 1.2 * RADIUS)])
-def test_a_circle_that_is_on_no_wall_has_no_hole(plate, at, radius):
-    assert Bore.around(at * AXIS, AXIS, radius, lambda x: plate.nearest(x).distance) is None
+def around(plate, at, radius):
+    return Bore.around(at * AXIS, AXIS, radius, lambda x: plate.nearest(x).distance)
 
 
-@pytest.mark.parametrize(("below", "found"), [(1.0, True), (0.97, False)])
-def test_a_countersunk_hole_is_no_bore(below, found):
-    """A radius deep; below the circle, where the cone of the countersink ends, it may be narrower than there."""
+@pytest.mark.parametrize(("at", "radius"), [(-0.1 * RADIUS, 1.1 * RADIUS), (0.0, 2 * RADIUS)])
+def test_a_circle_about_a_narrower_hole_as_of_its_chamfer_has_that(plate, at, radius):
+    bore = around(plate, at, radius)
+    assert bore.radius == pytest.approx(FLAT_SIDE, rel=1e-9)
+    assert [bore.low + at, bore.high + at] == pytest.approx([0, THICKNESS], abs=1e-9)
+
+
+@pytest.mark.parametrize(("at", "radius"), [(-2 * RADIUS, RADIUS), (0.0, 2.6 * RADIUS)])
+def test_a_circle_far_from_a_wall_has_no_hole(plate, at, radius):
+    assert around(plate, at, radius) is None
+
+
+@pytest.mark.parametrize(("open_share", "found"), [(0.2, True), (0.5, False)])
+def test_a_hole_may_have_a_slot_but_must_be_mostly_there(plate, open_share, found):
+    """Where it is open there is nothing."""
+
+    def distance(points):
+        across = np.linalg.svd(AXIS[None])[2][1:] @ points.T
+        opened = np.arctan2(*across) > np.pi * (1 - 2 * open_share)
+        on_axis = np.linalg.norm(across, axis=0) < 1e-9
+        return plate.nearest(points).distance + np.where(opened & ~on_axis, RADIUS, 0.0)
+
+    assert (Bore.around(np.zeros(3), AXIS, RADIUS, distance) is not None) == found
+
+
+def test_how_far_from_the_axis_keeps_a_distance(plate):
+    bore, keep = bore_of(plate, 0.0), 0.4 * RADIUS
+    assert bore.way(THICKNESS / 2, keep) == pytest.approx(bore.radius - keep)
+    assert bore.way(-0.6 * keep, keep) == pytest.approx(bore.radius - 0.8 * keep)
+    assert bore.way(-1.1 * keep, keep) == np.inf
+
+
+@pytest.mark.parametrize(("deep", "found"), [(1.0, True), (0.97, False)])
+def test_a_hole_that_is_narrower_farther_down_is_no_bore(deep, found):
+    """Four radii deep, and below the first two narrower, maybe."""
 
     def distance(points):
         along = points @ AXIS / RADIUS
-        wall = np.where((along < 0) & (along > -1), below, 1.0)
-        return RADIUS * (wall + np.maximum(np.abs(along) - 1, 0.0))
+        aside = np.linalg.norm(points / RADIUS - np.outer(along, AXIS), axis=1)
+        wall = np.where((along < -2) & (along > -4), deep, 1.0)
+        beyond = np.maximum(np.abs(along + 2) - 2, 0.0)
+        return RADIUS * np.hypot(np.maximum(wall - aside, 0.0), beyond)
 
     assert (Bore.around(np.zeros(3), AXIS, RADIUS, distance) is not None) == found
 
