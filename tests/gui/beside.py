@@ -25,13 +25,13 @@ class Slow:
 
     def __call__(self, scene, *, start=None, watch=None):
         self.lengths.append(round(1e3 * scene.rod.length, 6))
-        while not self.gate.wait(0.01):
-            try:
+        try:
+            while not self.gate.wait(0.01):
                 watch("0.3 m in 32 elements")
-            except StoppedError:
-                self.stopped += 1
-                raise
-        return (self.after or find)(scene, start=start, watch=watch)
+            return (self.after or find)(scene, start=start, watch=watch)
+        except StoppedError:
+            self.stopped += 1
+            raise
 
 
 class BesideTest(WindowTest):
