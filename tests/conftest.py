@@ -3,8 +3,10 @@
 
 import copy
 
-import numpy as np
 import pytest
+
+from benchmarks.among import plate
+from freecad_cable.problem import Ring
 
 SCENE = {
     "schema": 1,
@@ -55,27 +57,10 @@ def changed(data):
 
 @pytest.fixture
 def drilled():
-    return _drilled
+    """(vertices (n, 3), triangles (t, 3)) of a square plate that lies from ``center`` along ``axis`` and has a hole
+    there with corners on its circle; its sides are three radii from the axis."""
 
+    def build(center, axis, radius, thickness, corners):
+        return plate(Ring(center, axis, radius), 3 * radius, (0.0, thickness), corners)
 
-def _drilled(center, axis, radius, thickness, sides, size=3.0):
-    """(vertices (n, 3), triangles (t, 3)) of a square plate, ``size`` radii from the middle of its hole to its sides.
-    It lies from ``center`` along ``axis``; the hole has corners on its circle."""
-    angle = np.linspace(0, 2 * np.pi, sides, endpoint=False)
-    across = np.linalg.svd(np.array(axis)[None])[2][1:]
-    if np.linalg.det([*across, axis]) < 0:
-        across = across[::-1]
-    circle = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    outline = size * circle / np.abs(circle).max(axis=1)[:, None]
-    rings = [
-        center + radius * ring @ across + height * np.array(axis)
-        for height in (0.0, thickness)
-        for ring in (circle, outline)
-    ]
-    triangles = []
-    for i in range(sides):
-        j = (i + 1) % sides
-        for a, b in ((1, 0), (2, 3), (0, 2), (3, 1)):  # bottom, top, wall of the hole, outline
-            a, b = a * sides, b * sides
-            triangles += [(a + i, b + i, a + j), (b + i, b + j, a + j)]
-    return np.concatenate(rings), np.array(triangles)
+    return build

@@ -127,13 +127,16 @@ class Sampler:
     """What the lengths of a scene satisfy."""
 
     def __init__(self, scene, solve):
-        self.scene, self.solve, self.patience = scene, solve, scene.options.time_limit
+        self.scene, self.solve = scene, solve
+        self.longest = np.inf
+        """[s] that a length took until it was solved; infinite before one is"""
 
     def __call__(self, length, last) -> Sample:
         """``last``: an earlier solution to start from, or None."""
         scene, limit = self.scene, self.scene.options.time_limit
         scene = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
-        hurried = replace(scene, options=replace(scene.options, time_limit=self.patience))
+        patience = min(limit, max(PATIENCE * self.longest, LEAST))
+        hurried = replace(scene, options=replace(scene.options, time_limit=patience))
         begin = time.perf_counter()
         try:
             solution = self.solve(hurried, start=last)
@@ -142,9 +145,8 @@ class Sampler:
         solution = replace(solution, scene=scene)
         if not solution.status.success:
             return Sample(length, solution, -np.inf, "equilibrium", None, solution.message)
-        took = PATIENCE * (time.perf_counter() - begin)
-        known = self.patience if self.patience < limit else 0.0
-        self.patience = min(limit, max(known, took, LEAST))
+        took = time.perf_counter() - begin
+        self.longest = took if np.isinf(self.longest) else max(self.longest, took)
         return _judged(scene, solution)
 
 

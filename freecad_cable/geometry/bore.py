@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from . import rotation
 from .nearest import HOLE, Nearest
 
 ON_CIRCLE = 0.05
@@ -62,16 +63,20 @@ class Bore:
     def circle(self, along) -> np.ndarray:
         """(24, 3) points of its wall, at a place along its axis."""
         angle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
-        across = np.linalg.svd(self.axis[None])[2][1:]
-        around = np.stack([np.cos(angle), np.sin(angle)], axis=1) @ across
+        across = rotation.matrix(rotation.from_tangent(self.axis))[:, :2]
+        around = np.stack([np.cos(angle), np.sin(angle)], axis=1) @ across.T
         return self.center + along * self.axis + self.radius * around
 
     def way(self, along, keep) -> float:
         """How far from the axis is as far from the hole as one must ``keep``, at a place along the axis."""
-        beyond = along - np.clip(along, self.low, self.high)
+        beyond = self._beyond(along)
         if abs(beyond) >= keep:
             return np.inf
         return self.radius - np.sqrt(keep**2 - beyond**2)
+
+    def _beyond(self, along):
+        """Way past the nearer rim, negative past the lower one, 0 between them."""
+        return along - np.clip(along, self.low, self.high)
 
     def nearest(self, points, outside: Nearest) -> Nearest:
         """What is nearest to points (m, 3), of which ``outside`` knows the nearest feature of the whole solid: that, or
@@ -82,7 +87,7 @@ class Bore:
         across = points - foot
         aside = np.linalg.norm(across, axis=1)
         inward = -across / np.maximum(aside, 1e-300)[:, None]
-        beyond = along - np.clip(along, self.low, self.high)
+        beyond = self._beyond(along)
         inside = aside <= self.radius
         distance = np.where(inside, np.hypot(self.radius - aside, beyond), self.radius - aside)
         farther = (outside.distance - distance) / self.radius

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..errors import ProblemError
 from ..geometry import rotation
+from ..geometry.bore import Bore
 from ..geometry.nearest import FLAT, LINE, POINT, ROUNDING, Nearest, measured, perpendicular
 from .checked import direction, number, vector
 
@@ -34,6 +35,18 @@ class Obstacle:
     def bounds(self) -> np.ndarray:
         """(2, 3) [m] corners of a box around it, infinite where it is."""
         raise NotImplementedError
+
+    def bore(self, center, axis, radius) -> Bore | None:
+        """The round hole through it that a circle [m] is in, see ``Bore.around``; looked for once."""
+        circle = (*center, *axis, radius)
+        if circle not in self._bores:
+            distance = lambda points: self.nearest(points).distance  # noqa: E731
+            self._bores[circle] = Bore.around(center, axis, radius, distance)
+        return self._bores[circle]
+
+    @cached_property
+    def _bores(self) -> dict:
+        return {}
 
     def _keep(self, check, name, **bounds):
         """Replace a field by its checked value."""

@@ -239,10 +239,10 @@ def finer(problem, trial):
     """On twice as many elements; the same if that is not to be had."""
     if problem.scene.options.elements is not None:
         return trial
-    nodes = mesh.refined(trial.shape, mesh.size(2 * len(trial.shape.steps)))
     try:
         if trial.touches:
             return contact.finer(problem, trial)
+        nodes = mesh.refined(trial.shape, mesh.size(2 * len(trial.shape.steps)))
         return problem.solve(trial.shape.on(nodes)) or trial
     except TimeUpError:
         return trial

@@ -63,18 +63,18 @@ class Surroundings:
         return other
 
     @cached_property
-    def holes(self) -> dict[int, list[Bore]]:
-        """Round holes that rings are in, of each obstacle, without units. With less room than a cable needs they are
-        left to the rings."""
-        found = {}
-        for ring in filter(self._by_rim, self.scene.supports):
+    def holes(self) -> list[tuple[int, int, Bore]]:
+        """Round holes that rings are in: number of the support, number of the obstacle, the hole [m]. With less room
+        than a cable needs they are left to the rings."""
+        room, found = (1 + ROOM) * self.keep * self.scaling.length, []
+        for j, ring in enumerate(self.scene.supports):
+            if not self._by_rim(ring):
+                continue
             center, radius = self.scaling.point(ring.position), ring.radius / self.scaling.length
             for i in np.flatnonzero(self._at_least(center[None])[0] <= 2 * radius):
-                bore = Bore.around(
-                    center, ring.axis, radius, lambda x, i=i: self._feature(i, x).distance
-                )
-                if bore is not None and bore.radius >= (1 + ROOM) * self.keep:
-                    found.setdefault(int(i), []).append(bore)
+                bore = self.obstacles[i].bore(ring.position, ring.axis, ring.radius)
+                if bore is not None and bore.radius >= room:
+                    found.append((j, i, bore))
         return found
 
     @cached_property
@@ -82,19 +82,15 @@ class Surroundings:
         """The scene with rings that leave the cable no more room than the holes that they are in."""
         if not self.holes:
             return self.scene
-        return replace(self.scene, supports=tuple(map(self._narrowed, self.scene.supports)))
+        supports, keep = list(self.scene.supports), self.keep * self.scaling.length
+        for j, _, bore in self.holes:
+            radius = bore.way(0.0, keep) + self.scene.rod.radius
+            supports[j] = replace(supports[j], radius=min(radius, supports[j].radius))
+        return replace(self.scene, supports=tuple(supports))
 
     def in_holes(self, shape) -> list[int]:
         """Nodes at the rings that are in holes."""
-        pairs = zip(self.scene.supports, shape.joints, strict=True)
-        return [joint.node for support, joint in pairs if self._narrowed(support) is not support]
-
-    def _narrowed(self, support):
-        for bore in (bore for each in self.holes.values() for bore in each):
-            if (self.scaling.point(support.position) == bore.center).all():
-                radius = (bore.way(0.0, self.keep) + self.radius) * self.scaling.length
-                return replace(support, radius=min(radius, support.radius))
-        return support
+        return sorted({shape.joints[j].node for j, _, _ in self.holes})
 
     def nearest(self, points, within=np.inf, always=()) -> list[Near]:
         """Of the obstacles that may be ``within`` a distance (one, or m) of one of the points (m, 3), what is nearest
@@ -116,14 +112,12 @@ class Surroundings:
         return Near(i, where, self._nearest(i, points[where]))
 
     def _nearest(self, i, points):
-        nearest = self._feature(i, points)
-        for bore in self.holes.get(int(i), ()):
-            nearest = bore.nearest(points, nearest)
-        return nearest
-
-    def _feature(self, i, points):
         length = self.scaling.length
-        nearest = self.obstacles[i].nearest(self.scaling.origin + points * length)
+        places = self.scaling.origin + points * length
+        nearest = self.obstacles[i].nearest(places)
+        for _, obstacle, bore in self.holes:
+            if obstacle == i:
+                nearest = bore.nearest(places, nearest)
         return replace(
             nearest,
             distance=nearest.distance / length,

@@ -16,7 +16,7 @@ the node's z, (P² − |r − c|²)/2P is the same quadric: n = P' a, α = −1/
 import casadi as ca
 import numpy as np
 
-from ..geometry.nearest import FLAT, HOLE, LINE
+from ..geometry.nearest import FLAT, HOLE, LINE, Nearest
 
 PARAMETERS = 12
 """c (3), n (3), a (3), α, β, d of one feature"""
@@ -63,18 +63,19 @@ def parameters(nearest, keep) -> np.ndarray:
     )
     holes = nearest.feature == HOLE
     if holes.any():
-        rows[holes] = _in_hole(*(each[holes] for each in vars(nearest).values()), keep)
+        rows[holes] = _in_hole(Nearest(*(each[holes] for each in vars(nearest).values())), keep)
     return rows
 
 
-def _in_hole(distance, normal, _, center, direction, radius, keep):
-    beyond = distance * np.einsum("ki,ki->k", normal, direction)
+def _in_hole(nearest, keep):
+    direction = nearest.direction
+    beyond = nearest.distance * np.einsum("ki,ki->k", nearest.normal, direction)
     past = beyond >= PAST_RIM * keep
     aside = np.sqrt(keep**2 - np.where(past, 0.0, beyond) ** 2)
-    scale, inverse = aside / keep, 1 / (radius - aside)
+    scale, inverse = aside / keep, 1 / (nearest.radius - aside)
     rows = np.column_stack(
         [
-            center,
+            nearest.center,
             (beyond / keep)[:, None] * direction,
             direction,
             -scale * inverse,
