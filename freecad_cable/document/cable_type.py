@@ -245,8 +245,10 @@ def _in_properties(obj, error):
 
 def _in_words(rod, diameter):
     first, second = rod.bending_stiffness
-    bending = f"{first:.4g}" if first == second else f"{first:.4g} and {second:.4g}"
+    bending = f"EI {first:.4g} N m²"
+    if first != second:
+        bending = f"EI {first:.4g} and {second:.4g} N m²"
     return (
-        f"Diameter {diameter:g} mm, {1e3 * rod.mass_per_length:.4g} g/m, EI {bending} N m², "
+        f"Diameter {diameter:g} mm, {1e3 * rod.mass_per_length:.4g} g/m, {bending}, "
         f"GJ {rod.torsional_stiffness:.4g} N m²."
     )

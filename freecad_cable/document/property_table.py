@@ -8,6 +8,7 @@ import FreeCAD
 from FreeCAD import Units
 
 from ..errors import DocumentError
+from .sentences import in_language
 
 # Attributes of ``addProperty``.
 READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
@@ -52,10 +53,11 @@ def complete(obj, table):
         if new and prop.value is not None:
             setattr(obj, prop.name, prop.value)
     if obj.SchemaVersion > SCHEMA_VERSION:
-        FreeCAD.Console.PrintWarning(
+        said = in_language(
             f"{obj.Label} was stored by a later version of the Cable workbench; what this one does not know it leaves "
-            "alone. Update the workbench.\n"
+            "alone. Update the workbench."
         )
+        FreeCAD.Console.PrintWarning(f"{said}\n")
     elif obj.SchemaVersion < SCHEMA_VERSION:
         obj.SchemaVersion = SCHEMA_VERSION
 

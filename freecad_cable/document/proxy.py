@@ -7,6 +7,7 @@ from FreeCAD import Placement
 from ..errors import CableError, DocumentError
 from . import observer, view_hook
 from .property_table import VERSION, complete, reset
+from .sentences import in_language
 
 
 class IncompleteError(DocumentError):
@@ -50,8 +51,9 @@ class Proxy:
             else:
                 self.clear(obj, str(error))
             self.clear_dependents(obj, str(error))
-            # Without its cause: FreeCAD shows the sentence, and a traceback would hide it.
-            raise DocumentError(str(error)) from None
+            # Without its cause: FreeCAD shows the sentence, and a traceback would hide it. It shows this one and keeps
+            # none, so it is in the language of the window.
+            raise DocumentError(in_language(str(error))) from None
         except Exception as error:
             sentence = f"{obj.Label}: {type(error).__name__}: {error}"
             self.clear(obj, sentence)

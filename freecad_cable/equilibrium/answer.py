@@ -172,10 +172,11 @@ def _clearance(problem, shape):
 def _obstacles_left_out(problem, trial):
     """Sentences about obstacles that the model did not need."""
     all_of_them, near = len(problem.scene.obstacles), len(problem.surroundings.obstacles)
-    if all_of_them > near:
-        count = "all" if near == 0 else f"{all_of_them - near} of"
+    if near == 0 < all_of_them:
+        yield f"obstacles: all {all_of_them} are out of reach of a cable of this length (exact)"
+    elif all_of_them > near:
         yield (
-            f"obstacles: {count} {all_of_them} are out of reach of a cable of this length (exact)"
+            f"obstacles: {all_of_them - near} of {all_of_them} are out of reach of a cable of this length (exact)"
         )
     if near and not trial.touches and not problem.surroundings.strict.deepest(trial.shape):
         yield "obstacles in reach: the cable keeps clear of them by itself (exact)"
@@ -266,10 +267,12 @@ def _too_near(problem, shape) -> str | None:
     if not depth:
         return None
     place, obstacle = problem.surroundings.worst(shape)
-    keep = f" plus the clearance of {scene.clearance:g} m" if scene.clearance else ""
+    keep = "its radius"
+    if scene.clearance:
+        keep = f"its radius plus the clearance of {scene.clearance:g} m"
     return (
-        f"At {place * length:.3g} m the cable is {depth:.2g} m nearer to {scene.obstacles[obstacle].place} than its "
-        f"radius{keep} allows."
+        f"At {place * length:.3g} m the cable is {depth:.2g} m nearer to {scene.obstacles[obstacle].place} than {keep} "
+        "allows."
     )
 
 

@@ -4,6 +4,7 @@
 import FreeCAD
 import FreeCADGui
 
+from ..document.sentences import in_language
 from ..errors import CableError
 from .icons import icon
 from .selection import picked
@@ -37,7 +38,7 @@ class Command:
                 FreeCADGui.doCommand(line)
         except CableError as error:
             document.abortTransaction()
-            FreeCAD.Console.PrintError(f"{self.menu_text}: {error}\n")
+            FreeCAD.Console.PrintError(f"{self.menu_text}: {in_language(str(error))}\n")
         except BaseException:
             document.abortTransaction()
             raise

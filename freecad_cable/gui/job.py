@@ -6,6 +6,7 @@ import time
 
 import FreeCAD
 
+from ..document.sentences import in_language
 from ..errors import StoppedError
 from ..shape.units import sentence_from_si
 
@@ -57,4 +58,4 @@ def in_words(job) -> str:
     if not job.said:
         return translate("Cable", "Waiting to be solved: {seconds}").format(seconds=seconds)
     said = translate("Cable", "Solving: {seconds}, {what}")
-    return said.format(seconds=seconds, what=sentence_from_si(job.said))
+    return said.format(seconds=seconds, what=in_language(sentence_from_si(job.said)))

@@ -84,8 +84,10 @@ def _holds_twist(holder) -> bool:
 def _why_no_torque(scene) -> str:
     if scene.supports:
         loose = "all that holds the cable, but for one clamp at most, lets it twist"
+    elif _holds_twist(scene.start):
+        loose = "the end is free to twist"
     else:
-        loose = f"the {'end' if _holds_twist(scene.start) else 'start'} is free to twist"
+        loose = "the start is free to twist"
     return f"{loose} and the cable bends alike in all directions, so it carries no torque (exact)"
 
 

@@ -1454,6 +1454,1033 @@
     </message>
   </context>
   <context>
+    <name>Sentence</name>
+    <message>
+      <source>, and neither mesh nor time allowed more</source>
+      <translation>, und weder Netz noch Zeit ließen mehr zu</translation>
+    </message>
+    <message>
+      <source>, line 1: {1}; the columns are {2}</source>
+      <translation>, Zeile 1: {1}; die Spalten sind {2}</translation>
+    </message>
+    <message>
+      <source>, line {1}</source>
+      <translation>, Zeile {1}</translation>
+    </message>
+    <message>
+      <source>, or empty</source>
+      <translation>, oder leer</translation>
+    </message>
+    <message>
+      <source>, with elements fixed</source>
+      <translation>, bei vorgegebenen Elementen</translation>
+    </message>
+    <message>
+      <source>.</source>
+      <translation>.</translation>
+    </message>
+    <message>
+      <source>. </source>
+      <translation>. </translation>
+    </message>
+    <message>
+      <source>: </source>
+      <translation>: </translation>
+    </message>
+    <message>
+      <source>An equilibrium was found, but not to the tolerance asked for</source>
+      <translation>Ein Gleichgewicht wurde gefunden, aber nicht mit der verlangten Genauigkeit</translation>
+    </message>
+    <message>
+      <source>At {1} the cable is {2} nearer to {3} than {4} allows</source>
+      <translation>Bei {1} ist das Kabel um {2} näher an {3}, als {4} erlaubt</translation>
+    </message>
+    <message>
+      <source>Begins to buckle {1}</source>
+      <translation>Beginnt auszuknicken, {1}</translation>
+    </message>
+    <message>
+      <source>BendingStiffness lies outside of SlipBendingStiffness and StickBendingStiffness</source>
+      <translation>BendingStiffness liegt nicht zwischen SlipBendingStiffness und StickBendingStiffness</translation>
+    </message>
+    <message>
+      <source>CasADi is not installed, so no cable can be solved; what was solved before can still be seen. Install it with: {1} casadi</source>
+      <translation>CasADi ist nicht installiert, daher kann kein Kabel gelöst werden; was schon gelöst ist, bleibt zu sehen. Installieren mit: {1} casadi</translation>
+    </message>
+    <message>
+      <source>Check lengths, stiffness and mass for a wrong unit</source>
+      <translation>Längen, Steifigkeit und Masse auf eine falsche Einheit prüfen</translation>
+    </message>
+    <message>
+      <source>Check lengths, stiffness and mass for a wrong unit; a different length may be easier</source>
+      <translation>Längen, Steifigkeit und Masse auf eine falsche Einheit prüfen; eine andere Länge mag leichter sein</translation>
+    </message>
+    <message>
+      <source>Diameter {1} mm, {2} g/m, {3}, GJ {4} N m²</source>
+      <translation>Durchmesser {1} mm, {2} g/m, {3}, GJ {4} N m²</translation>
+    </message>
+    <message>
+      <source>EI {1} and {2} N m²</source>
+      <translation>EI {1} und {2} N m²</translation>
+    </message>
+    <message>
+      <source>Edge{1} of {2}</source>
+      <translation>Edge{1} von {2}</translation>
+    </message>
+    <message>
+      <source>Face{1} of {2}</source>
+      <translation>Face{1} von {2}</translation>
+    </message>
+    <message>
+      <source>From {1} mm to {2} mm it keeps its bend radius only if it is formed there, with a moment of {3} N m</source>
+      <translation>Von {1} mm bis {2} mm hält es seinen Biegeradius nur ein, wenn es dort geformt wird, mit einem Moment von {3} N m</translation>
+    </message>
+    <message>
+      <source>If {1} than {2}, {3}</source>
+      <translation>Wenn {1} als {2}: {3}</translation>
+    </message>
+    <message>
+      <source>It bends to {1} at {2}; the limit is {3}</source>
+      <translation>Es biegt sich auf {1} bei {2}; die Grenze ist {3}</translation>
+    </message>
+    <message>
+      <source>It is {1} s</source>
+      <translation>Sie beträgt {1} s</translation>
+    </message>
+    <message>
+      <source>It may be too short to get past the obstacles, or have no way between them: try it longer, or with some of them left out</source>
+      <translation>Es ist vielleicht zu kurz, um an den Hindernissen vorbeizukommen, oder findet keinen Weg zwischen ihnen: länger versuchen, oder ohne einige von ihnen</translation>
+    </message>
+    <message>
+      <source>It must be pushed from {1} at {2} to keep {3} clear</source>
+      <translation>Es muss bei {2} von {1} weggedrückt werden, um {3} Freiraum zu halten</translation>
+    </message>
+    <message>
+      <source>Its length is only {1} % above the chord; give it more slack</source>
+      <translation>Seine Länge ist nur {1} % größer als der gerade Abstand; ihm mehr Überlänge geben</translation>
+    </message>
+    <message>
+      <source>Jumps to another equilibrium {1}; its shape changes by {2} of the length</source>
+      <translation>Springt in ein anderes Gleichgewicht, {1}; seine Form ändert sich um {2} der Länge</translation>
+    </message>
+    <message>
+      <source>Kept: {1}</source>
+      <translation>Berücksichtigt: {1}</translation>
+    </message>
+    <message>
+      <source>Left out: {1}</source>
+      <translation>Weggelassen: {1}</translation>
+    </message>
+    <message>
+      <source>No length up to {1} will do. The best is {2}, but {3}; a limit that this length keeps, other ends or supports, or a softer cable would help</source>
+      <translation>Keine Länge bis {1} genügt. Am besten ist {2}, aber {3}; eine Grenze, die diese Länge einhält, andere Enden oder Halterungen oder ein weicheres Kabel würden helfen</translation>
+    </message>
+    <message>
+      <source>No shape of this cable satisfies all requirements</source>
+      <translation>Keine Form dieses Kabels erfüllt alle Anforderungen</translation>
+    </message>
+    <message>
+      <source>No shape yet</source>
+      <translation>Noch keine Form</translation>
+    </message>
+    <message>
+      <source>Not run yet; Run Study does</source>
+      <translation>Noch nicht gelaufen; der Befehl „Studie“ lässt sie laufen</translation>
+    </message>
+    <message>
+      <source>Out of date</source>
+      <translation>Veraltet</translation>
+    </message>
+    <message>
+      <source>Out of date; Run Study brings it up to date</source>
+      <translation>Veraltet; der Befehl „Studie“ bringt sie auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>Recomputed from its nodes, its moments are out of balance by {1}</source>
+      <translation>Aus den Knoten nachgerechnet, sind seine Momente um {1} nicht im Gleichgewicht</translation>
+    </message>
+    <message>
+      <source>Row {1} is the worst: {2}</source>
+      <translation>Zeile {1} ist die schlimmste: {2}</translation>
+    </message>
+    <message>
+      <source>Solved by {1}, scheme {2}, {3} elements</source>
+      <translation>Gelöst mit {1}, Schema {2}, {3} Elemente</translation>
+    </message>
+    <message>
+      <source>The arc length of node {1} is less than that of node {2}</source>
+      <translation>Die Bogenlänge von Knoten {1} ist kleiner als die von Knoten {2}</translation>
+    </message>
+    <message>
+      <source>The cable bends to a radius of {1} mm at {2} mm from its start, and its section reaches farther than that to the inside of the bend: its surface would fold</source>
+      <translation>Das Kabel biegt sich {2} mm nach seinem Anfang auf einen Radius von {1} mm, und sein Querschnitt reicht weiter nach innen: seine Oberfläche würde sich falten</translation>
+    </message>
+    <message>
+      <source>The cable has {1} node(s); a shape needs at least 2</source>
+      <translation>Das Kabel hat {1} Knoten; eine Form braucht mindestens 2</translation>
+    </message>
+    <message>
+      <source>The cable is in equilibrium</source>
+      <translation>Das Kabel ist im Gleichgewicht</translation>
+    </message>
+    <message>
+      <source>The cable is {1} mm long; a shape needs at least {2} mm</source>
+      <translation>Das Kabel ist {1} mm lang; eine Form braucht mindestens {2} mm</translation>
+    </message>
+    <message>
+      <source>The cable passes through itself: its points at {1} mm and {2} mm from its start are {3} mm apart</source>
+      <translation>Das Kabel geht durch sich selbst: seine Punkte {1} mm und {2} mm nach seinem Anfang liegen {3} mm auseinander</translation>
+    </message>
+    <message>
+      <source>The cable runs through itself at {1} and {2}, {3} deep, and no equilibrium was found in which it does not; change its length or what holds it</source>
+      <translation>Das Kabel geht bei {1} und {2} durch sich selbst, {3} tief, und es wurde kein Gleichgewicht gefunden, in dem es das nicht tut; seine Länge ändern oder was es hält</translation>
+    </message>
+    <message>
+      <source>The cable slides through {1} until nothing is left on one side of it; give that support an arc length, or hold the cable elsewhere</source>
+      <translation>Das Kabel gleitet durch {1}, bis auf einer Seite nichts mehr übrig ist; dieser Halterung eine Position geben oder das Kabel anderswo halten</translation>
+    </message>
+    <message>
+      <source>The cable turns by {1} rad between its nodes {2} and {3}; a shape needs less than {4} rad. Solve with more elements</source>
+      <translation>Das Kabel dreht sich um {1} rad zwischen seinen Knoten {2} und {3}; eine Form braucht weniger als {4} rad. Mit mehr Elementen lösen</translation>
+    </message>
+    <message>
+      <source>The cable's shape would have {1} times the volume of its length. Solve with more elements</source>
+      <translation>Die Form des Kabels hätte das {1}-Fache des Volumens seiner Länge. Mit mehr Elementen lösen</translation>
+    </message>
+    <message>
+      <source>The position error is estimated at {1} of the length; {2} was asked for</source>
+      <translation>Der Fehler der Lage wird auf {1} der Länge geschätzt; verlangt war {2}</translation>
+    </message>
+    <message>
+      <source>The positions, tangents and arc lengths of the nodes do not belong together: two nodes are {1} mm apart and should be {2} mm apart</source>
+      <translation>Positionen, Tangenten und Bogenlängen der Knoten gehören nicht zusammen: zwei Knoten sind {1} mm auseinander und sollten {2} mm auseinander sein</translation>
+    </message>
+    <message>
+      <source>The profile crosses or touches itself, so it bounds no section</source>
+      <translation>Das Profil kreuzt oder berührt sich selbst und begrenzt daher keinen Querschnitt</translation>
+    </message>
+    <message>
+      <source>The profile does not lie in its own xy-plane: z runs from {1} mm to {2} mm and must be 0</source>
+      <translation>Das Profil liegt nicht in seiner eigenen xy-Ebene: z reicht von {1} mm bis {2} mm und muss 0 sein</translation>
+    </message>
+    <message>
+      <source>The profile has {1} faces; it must have one</source>
+      <translation>Das Profil hat {1} Flächen; es muss eine haben</translation>
+    </message>
+    <message>
+      <source>The profile has {1} separate parts; it must have one (holes are allowed)</source>
+      <translation>Das Profil hat {1} getrennte Teile; es muss eines haben (Löcher sind erlaubt)</translation>
+    </message>
+    <message>
+      <source>The profile is empty; it must be a closed planar outline</source>
+      <translation>Das Profil ist leer; es muss ein geschlossener ebener Umriss sein</translation>
+    </message>
+    <message>
+      <source>The profile is not closed; its edges must form closed outlines</source>
+      <translation>Das Profil ist nicht geschlossen; seine Kanten müssen geschlossene Umrisse bilden</translation>
+    </message>
+    <message>
+      <source>The profile is {1} mm across; it must be at least {2} mm</source>
+      <translation>Das Profil ist {1} mm groß; es müssen mindestens {2} mm sein</translation>
+    </message>
+    <message>
+      <source>The quaternion of node {1} has the length {2}; it must be 1</source>
+      <translation>Die Quaternion von Knoten {1} hat die Länge {2}; sie muss 1 sein</translation>
+    </message>
+    <message>
+      <source>The radius is {1} mm; it must be at least {2} mm</source>
+      <translation>Der Radius ist {1} mm; er muss mindestens {2} mm sein</translation>
+    </message>
+    <message>
+      <source>The reference is {1}; it must be an object, or a pair of an object and the name of its edge or face, as in (connector, 'Edge7')</source>
+      <translation>Die Referenz ist {1}; sie muss ein Objekt sein oder ein Paar aus einem Objekt und dem Namen seiner Kante oder Fläche, wie in (connector, 'Edge7')</translation>
+    </message>
+    <message>
+      <source>The report cannot be written: {1}: {2}; choose another folder</source>
+      <translation>Der Bericht kann nicht geschrieben werden: {1}: {2}; einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+      <source>The shape found is an equilibrium but not a stable one: the cable would leave it</source>
+      <translation>Die gefundene Form ist ein Gleichgewicht, aber kein stabiles: das Kabel würde sie verlassen</translation>
+    </message>
+    <message>
+      <source>The shape it ended with is not held as its ends and supports say</source>
+      <translation>Die Form, mit der er endete, ist nicht so gehalten, wie Enden und Halterungen es verlangen</translation>
+    </message>
+    <message>
+      <source>The solid of the cable could not be built: {1}</source>
+      <translation>Der Körper des Kabels konnte nicht gebildet werden: {1}</translation>
+    </message>
+    <message>
+      <source>The solid of the cable is not valid and closed</source>
+      <translation>Der Körper des Kabels ist nicht gültig und geschlossen</translation>
+    </message>
+    <message>
+      <source>The solver found no equilibrium</source>
+      <translation>Der Löser hat kein Gleichgewicht gefunden</translation>
+    </message>
+    <message>
+      <source>The stretch {1}: {2}</source>
+      <translation>Das Stück {1}: {2}</translation>
+    </message>
+    <message>
+      <source>The time limit was reached before an equilibrium was found</source>
+      <translation>Die Zeitgrenze war erreicht, bevor ein Gleichgewicht gefunden wurde</translation>
+    </message>
+    <message>
+      <source>The {1} of node {2} are not finite numbers</source>
+      <translation>Die {1} von Knoten {2} sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+      <source>The {1} of the nodes have the shape {2}; it must be {3}</source>
+      <translation>Die {1} der Knoten haben die Form {2}; es muss {3} sein</translation>
+    </message>
+    <message>
+      <source>There is no solved shape to draw. Solve the cable first</source>
+      <translation>Es gibt keine gelöste Form zu zeichnen. Zuerst das Kabel lösen</translation>
+    </message>
+    <message>
+      <source>This CasADi has no plug-in {1}; install the casadi wheel from PyPI</source>
+      <translation>Dieses CasADi hat keine Erweiterung {1}; das Paket casadi von PyPI installieren</translation>
+    </message>
+    <message>
+      <source>Update is {1}; Solve Now brings it up to date</source>
+      <translation>Update ist {1}; „Jetzt lösen“ bringt es auf den neuesten Stand</translation>
+    </message>
+    <message>
+      <source>Vertex{1} of {2}</source>
+      <translation>Vertex{1} von {2}</translation>
+    </message>
+    <message>
+      <source>Warning</source>
+      <translation>Warnung</translation>
+    </message>
+    <message>
+      <source>a cable, which is taken as rigid: pushed with up to {1} N at a place, and that does not move it</source>
+      <translation>ein Kabel, das als starr gilt: es wird mit bis zu {1} N an einer Stelle gedrückt und bewegt sich dadurch nicht</translation>
+    </message>
+    <message>
+      <source>a list of lists of 3 whole numbers</source>
+      <translation>eine Liste von Listen mit 3 ganzen Zahlen</translation>
+    </message>
+    <message>
+      <source>a spline needs two points or more, each apart from the one before</source>
+      <translation>ein Spline braucht zwei oder mehr Punkte, jeden getrennt vom vorigen</translation>
+    </message>
+    <message>
+      <source>all that holds the cable, but for one clamp at most, lets it twist</source>
+      <translation>alles, was das Kabel hält, bis auf höchstens eine Klemme, lässt es sich verdrehen</translation>
+    </message>
+    <message>
+      <source>an end is free</source>
+      <translation>ein Ende ist frei</translation>
+    </message>
+    <message>
+      <source>arc lengths</source>
+      <translation>Bogenlängen</translation>
+    </message>
+    <message>
+      <source>are all {1}; at least two must differ</source>
+      <translation>sind alle {1}; mindestens zwei müssen sich unterscheiden</translation>
+    </message>
+    <message>
+      <source>are empty; name what varies</source>
+      <translation>sind leer; angeben, was sich ändert</translation>
+    </message>
+    <message>
+      <source>are {1}, but none has an area: all corners of each are on one line or at one point</source>
+      <translation>sind {1}, aber keines hat eine Fläche: alle Ecken liegen jeweils auf einer Geraden oder in einem Punkt</translation>
+    </message>
+    <message>
+      <source>are {1}, which have {2} corners; at most {3} can be tried; draw cases at random instead</source>
+      <translation>sind {1} mit {2} Ecken; höchstens {3} können versucht werden; stattdessen zufällige Fälle ziehen</translation>
+    </message>
+    <message>
+      <source>are {1}; at most {2} can be solved; divide the cable at a clamp</source>
+      <translation>sind {1}; höchstens {2} können gelöst werden; das Kabel an einer Klemme teilen</translation>
+    </message>
+    <message>
+      <source>at least {1} lists of 3 numbers</source>
+      <translation>mindestens {1} Listen mit 3 Zahlen</translation>
+    </message>
+    <message>
+      <source>at the centreline</source>
+      <translation>an der Mittellinie</translation>
+    </message>
+    <message>
+      <source>at the inside of the bend</source>
+      <translation>innen an der Biegung</translation>
+    </message>
+    <message>
+      <source>at {1} it is held {2} mm inside {3}; two cables do not fit there, so hold one of them beside the other</source>
+      <translation>an der Stelle „{1}“ wird es {2} mm im Inneren von {3} gehalten; zwei Kabel passen dort nicht hin, daher eines neben dem anderen halten</translation>
+    </message>
+    <message>
+      <source>bend radius</source>
+      <translation>Biegeradius</translation>
+    </message>
+    <message>
+      <source>bending</source>
+      <translation>Biegung</translation>
+    </message>
+    <message>
+      <source>bending in two directions</source>
+      <translation>Biegung in zwei Richtungen</translation>
+    </message>
+    <message>
+      <source>between {1} and {2}</source>
+      <translation>zwischen {1} und {2}</translation>
+    </message>
+    <message>
+      <source>both ends are free and every support lets the cable slide, so it would slide out; hold an end or give a support an arc length</source>
+      <translation>beide Enden sind frei, und jede Halterung lässt das Kabel gleiten, so dass es herausrutschen würde; ein Ende halten oder einer Halterung eine Position geben</translation>
+    </message>
+    <message>
+      <source>both ends are free, so nothing holds the cable; hold one of them</source>
+      <translation>beide Enden sind frei, also hält nichts das Kabel; eines davon halten</translation>
+    </message>
+    <message>
+      <source>do not part inside from outside at the edge from {1} to {2}: the triangles there do not all have the same side out, or one is missing; turn or add triangles</source>
+      <translation>trennen an der Kante von {1} nach {2} nicht innen von außen: die Dreiecke dort haben nicht alle dieselbe Seite außen, oder eines fehlt; Dreiecke umdrehen oder ergänzen</translation>
+    </message>
+    <message>
+      <source>enclose {1} m³, which must be positive: they are clockwise seen from outside, or a sheet that is there twice; reverse each of them, or leave one layer out</source>
+      <translation>umschließen {1} m³, was positiv sein muss: sie laufen von außen gesehen im Uhrzeigersinn, oder es ist ein doppeltes Blatt; jedes umdrehen oder eine Lage weglassen</translation>
+    </message>
+    <message>
+      <source>end</source>
+      <translation>Ende</translation>
+    </message>
+    <message>
+      <source>fatrop or ipopt</source>
+      <translation>fatrop oder ipopt</translation>
+    </message>
+    <message>
+      <source>gravity</source>
+      <translation>Schwerkraft</translation>
+    </message>
+    <message>
+      <source>gravity: there is none, or the cable has no mass (exact)</source>
+      <translation>Schwerkraft: es gibt keine, oder das Kabel hat keine Masse (exakt)</translation>
+    </message>
+    <message>
+      <source>has a column {1}</source>
+      <translation>hat eine Spalte {1}</translation>
+    </message>
+    <message>
+      <source>has more or fewer values than columns; put text with commas in quotes</source>
+      <translation>hat mehr oder weniger Werte als Spalten; Text mit Kommas in Anführungszeichen setzen</translation>
+    </message>
+    <message>
+      <source>has no column {1}</source>
+      <translation>hat keine Spalte {1}</translation>
+    </message>
+    <message>
+      <source>has no one set of equilibria; give a length, and ask for each stretch alone</source>
+      <translation>hat nicht nur eine Menge von Gleichgewichten; eine Länge angeben und nach jedem Stück einzeln fragen</translation>
+    </message>
+    <message>
+      <source>has no value at which the cable can be solved</source>
+      <translation>hat keinen Wert, bei dem das Kabel gelöst werden kann</translation>
+    </message>
+    <message>
+      <source>has {1}</source>
+      <translation>enthält {1}</translation>
+    </message>
+    <message>
+      <source>has {1} entries; it takes one, or a vertex and a local coordinate system</source>
+      <translation>hat {1} Einträge; es braucht einen, oder einen Punkt und ein lokales Koordinatensystem</translation>
+    </message>
+    <message>
+      <source>has {1} of {2}, which was deleted or moved</source>
+      <translation>enthält {1} von {2}, das gelöscht oder verschoben wurde</translation>
+    </message>
+    <message>
+      <source>has {1} rows; it must have at least {2}</source>
+      <translation>hat {1} Zeilen; es müssen mindestens {2} sein</translation>
+    </message>
+    <message>
+      <source>has {1} twice; a cable passes a support once</source>
+      <translation>enthält {1} zweimal; ein Kabel läuft nur einmal durch eine Halterung</translation>
+    </message>
+    <message>
+      <source>has {1}, which follows from the cable itself, so neither can be first; of two cables, only one can have the other as an obstacle</source>
+      <translation>enthält {1}, das aus dem Kabel selbst folgt, so dass keines das erste sein kann; von zwei Kabeln kann nur eines das andere als Hindernis haben</translation>
+    </message>
+    <message>
+      <source>has {1}, which has no solid; choose parts with solids</source>
+      <translation>enthält {1}, das keinen Körper hat; Teile mit Körpern wählen</translation>
+    </message>
+    <message>
+      <source>has {1}, which is in another part or assembly than the cable; put both into the same</source>
+      <translation>enthält {1}, das in einem anderen Teil oder einer anderen Baugruppe als das Kabel ist; beide in dieselbe legen</translation>
+    </message>
+    <message>
+      <source>has {1}, which is no support; choose clamps, sleeves, rings or clips</source>
+      <translation>enthält {1}, das keine Halterung ist; Klemmen, Hülsen, Ringe oder Clips wählen</translation>
+    </message>
+    <message>
+      <source>has {1}; it may have {2}</source>
+      <translation>enthält {1}; erlaubt sind {2}</translation>
+    </message>
+    <message>
+      <source>is Enforce, but {1} has no limit; set its MinBendRadius, or use Check</source>
+      <translation>ist Enforce, aber {1} hat keine Grenze; dessen MinBendRadius setzen oder Check verwenden</translation>
+    </message>
+    <message>
+      <source>is Shortest. {1}</source>
+      <translation>ist Shortest. {1}</translation>
+    </message>
+    <message>
+      <source>is an array {1} of {2}; it must be {3}</source>
+      <translation>ist ein Feld {1} aus {2}; es muss {3} sein</translation>
+    </message>
+    <message>
+      <source>is empty</source>
+      <translation>ist leer</translation>
+    </message>
+    <message>
+      <source>is empty: its object was deleted or never chosen. Choose an edge, a face or an object</source>
+      <translation>ist leer: das Objekt wurde gelöscht oder nie gewählt. Eine Kante, eine Fläche oder ein Objekt wählen</translation>
+    </message>
+    <message>
+      <source>is empty: the cable was deleted; delete this too or choose another</source>
+      <translation>ist leer: das Kabel wurde gelöscht; dies auch löschen oder ein anderes wählen</translation>
+    </message>
+    <message>
+      <source>is empty; choose a terminal. One that is Free lets the end hang</source>
+      <translation>ist leer; einen Anschluss wählen. Einer mit Free lässt das Ende hängen</translation>
+    </message>
+    <message>
+      <source>is empty; every type needs one</source>
+      <translation>ist leer; jeder Typ braucht einen</translation>
+    </message>
+    <message>
+      <source>is empty; it must have at least 1 row</source>
+      <translation>ist leer; es muss mindestens 1 Zeile haben</translation>
+    </message>
+    <message>
+      <source>is free; a route needs both ends held</source>
+      <translation>ist frei; ein Weg braucht zwei gehaltene Enden</translation>
+    </message>
+    <message>
+      <source>is missing</source>
+      <translation>fehlt</translation>
+    </message>
+    <message>
+      <source>is not given, so it cannot be enforced; give it</source>
+      <translation>ist nicht angegeben und kann daher nicht erzwungen werden; es angeben</translation>
+    </message>
+    <message>
+      <source>is not known here; known are {1}</source>
+      <translation>ist hier nicht bekannt; bekannt sind {1}</translation>
+    </message>
+    <message>
+      <source>is off, and there is no other tolerance; give one</source>
+      <translation>ist aus, und es gibt keine andere Toleranz; eine angeben</translation>
+    </message>
+    <message>
+      <source>is that of the start; a chord needs two points</source>
+      <translation>ist die des Anfangs; eine Sehne braucht zwei Punkte</translation>
+    </message>
+    <message>
+      <source>is zero; a catenary needs a direction to hang in</source>
+      <translation>ist null; eine Kettenlinie braucht eine Richtung, in die sie hängt</translation>
+    </message>
+    <message>
+      <source>is {1} and so is From; give a range, or Values</source>
+      <translation>ist {1}, und From ebenso; einen Bereich angeben oder Values</translation>
+    </message>
+    <message>
+      <source>is {1} and so is Start; choose two different terminals</source>
+      <translation>ist {1}, und Start ebenso; zwei verschiedene Anschlüsse wählen</translation>
+    </message>
+    <message>
+      <source>is {1} and the ends are {2} apart, which leaves no slack; an inextensible cable needs at least {3}, or give it an axial stiffness</source>
+      <translation>ist {1}, und die Enden sind {2} auseinander, was keine Überlänge lässt; ein undehnbares Kabel braucht mindestens {3}, oder ihm eine Dehnsteifigkeit geben</translation>
+    </message>
+    <message>
+      <source>is {1} away from {2}, but the cable has only {3} on this side of it, so it does not reach; the cable must be longer or the support nearer</source>
+      <translation>ist {1} von {2} entfernt, aber das Kabel hat auf dieser Seite nur {3} und reicht daher nicht; das Kabel muss länger oder die Halterung näher sein</translation>
+    </message>
+    <message>
+      <source>is {1} mm; it must be greater than 0 mm, or let the cable slide (Slides)</source>
+      <translation>ist {1} mm; es muss größer als 0 mm sein, oder das Kabel gleiten lassen (Slides)</translation>
+    </message>
+    <message>
+      <source>is {1} mm; it must be less than the radius of {2} mm</source>
+      <translation>ist {1} mm; es muss kleiner als der Radius von {2} mm sein</translation>
+    </message>
+    <message>
+      <source>is {1} s; it must be greater than 0</source>
+      <translation>ist {1} s; es muss größer als 0 sein</translation>
+    </message>
+    <message>
+      <source>is {1}, but the cable's radius is {2}, so it does not pass; take a wider ring or a thinner cable</source>
+      <translation>ist {1}, aber der Radius des Kabels ist {2}, so dass es nicht hindurchpasst; einen weiteren Ring oder ein dünneres Kabel nehmen</translation>
+    </message>
+    <message>
+      <source>is {1}, but the points are {2} apart; make it at least that</source>
+      <translation>ist {1}, aber die Punkte sind {2} auseinander; sie mindestens so groß machen</translation>
+    </message>
+    <message>
+      <source>is {1}, but the terminals are {2} apart; the shortest possible length is {3}. Make the cable longer or bring the terminals closer</source>
+      <translation>ist {1}, aber die Anschlüsse sind {2} auseinander; die kürzeste mögliche Länge ist {3}. Das Kabel länger machen oder die Anschlüsse näher zusammenbringen</translation>
+    </message>
+    <message>
+      <source>is {1}, but {2} before it is at {3}; supports must be in order along the cable</source>
+      <translation>ist {1}, aber {2} davor ist bei {3}; Halterungen müssen in ihrer Reihenfolge entlang des Kabels stehen</translation>
+    </message>
+    <message>
+      <source>is {1}, but {2}, so there is no straight distance; use Fixed</source>
+      <translation>ist {1}, aber {2}, daher gibt es keinen geraden Abstand; Fixed verwenden</translation>
+    </message>
+    <message>
+      <source>is {1}, but {2}; the shortest possible length is {3}</source>
+      <translation>ist {1}, aber {2}; die kürzeste mögliche Länge ist {3}</translation>
+    </message>
+    <message>
+      <source>is {1}, which does not change the cable; choose a number that it depends on</source>
+      <translation>ist {1}, was das Kabel nicht verändert; eine Zahl wählen, von der es abhängt</translation>
+    </message>
+    <message>
+      <source>is {1}, which is in another part or assembly than the cable; put both into the same</source>
+      <translation>ist {1}, das in einem anderen Teil oder einer anderen Baugruppe als das Kabel ist; beide in dieselbe legen</translation>
+    </message>
+    <message>
+      <source>is {1}, which is no cable terminal; choose a terminal</source>
+      <translation>ist {1}, das kein Kabelanschluss ist; einen Anschluss wählen</translation>
+    </message>
+    <message>
+      <source>is {1}, which is no cable type</source>
+      <translation>ist {1}, das kein Kabeltyp ist</translation>
+    </message>
+    <message>
+      <source>is {1}, which is no cable; choose a cable</source>
+      <translation>ist {1}, das kein Kabel ist; ein Kabel wählen</translation>
+    </message>
+    <message>
+      <source>is {1}, which is not on the cable; its length is {2}</source>
+      <translation>ist {1} und damit nicht auf dem Kabel; dessen Länge ist {2}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a finite number</source>
+      <translation>ist {1}; es muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a finite number, at most {2} in size</source>
+      <translation>ist {1}; es muss eine endliche Zahl vom Betrag höchstens {2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a list of 3 numbers</source>
+      <translation>ist {1}; es muss eine Liste von 3 Zahlen sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a list of {2} numbers</source>
+      <translation>ist {1}; es muss eine Liste von {2} Zahlen sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a number greater than 0 and at most {2}</source>
+      <translation>ist {1}; es muss eine Zahl größer als 0 und höchstens {2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a number{2}</source>
+      <translation>ist {1}; es muss eine Zahl{2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a whole number</source>
+      <translation>ist {1}; es muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a whole number from {2}</source>
+      <translation>ist {1}; es muss eine ganze Zahl ab {2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be an object</source>
+      <translation>ist {1}; es muss ein Objekt sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least 0</source>
+      <translation>ist {1}; es muss mindestens 0 sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least 1</source>
+      <translation>ist {1}; es muss mindestens 1 sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least 2</source>
+      <translation>ist {1}; es muss mindestens 2 sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least {2}</source>
+      <translation>ist {1}; es muss mindestens {2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be between 1e-10 and 0.1</source>
+      <translation>ist {1}; es muss zwischen 1e-10 und 0.1 liegen</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be between 2 and 10000</source>
+      <translation>ist {1}; es muss zwischen 2 und 10000 liegen</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be from 0 to {2}, as there are {3} {4}</source>
+      <translation>ist {1}; es muss von 0 bis {2} sein, denn es gibt {3} {4}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be greater than 0</source>
+      <translation>ist {1}; es muss größer als 0 sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be greater than {2}</source>
+      <translation>ist {1}; es muss größer als {2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be inside or centreline</source>
+      <translation>ist {1}; es muss inside oder centreline sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be one of {2}</source>
+      <translation>ist {1}; es muss eines von {2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be {2}</source>
+      <translation>ist {1}; es muss {2} sein</translation>
+    </message>
+    <message>
+      <source>is {1}; it must begin with one of {2}, a comma, and the source</source>
+      <translation>ist {1}; es muss mit einem von {2}, einem Komma und der Quelle beginnen</translation>
+    </message>
+    <message>
+      <source>is {1}; it must lie between the bounds {2} (strands slip) and {3} (they stick)</source>
+      <translation>ist {1}; es muss zwischen den Grenzen {2} (Litzen gleiten) und {3} (sie haften) liegen</translation>
+    </message>
+    <message>
+      <source>is {1}; its length is zero, so it gives no direction</source>
+      <translation>ist {1}; die Länge ist null, daher gibt es keine Richtung an</translation>
+    </message>
+    <message>
+      <source>it bends to {1} at {2}, and {3} is the limit</source>
+      <translation>es biegt sich auf {1} bei {2}, und {3} ist die Grenze</translation>
+    </message>
+    <message>
+      <source>it does not act, the cable would be the same without it (exact)</source>
+      <translation>wirkt nicht, das Kabel wäre ohne sie dasselbe (exakt)</translation>
+    </message>
+    <message>
+      <source>it holds with the least margin</source>
+      <translation>sie genügt mit dem geringsten Spielraum</translation>
+    </message>
+    <message>
+      <source>it is Moving, but has no MinBendRadiusMoving; MinBendRadius counts</source>
+      <translation>er ist Moving, hat aber kein MinBendRadiusMoving; es gilt MinBendRadius</translation>
+    </message>
+    <message>
+      <source>it is being solved</source>
+      <translation>es wird gerade gelöst</translation>
+    </message>
+    <message>
+      <source>it is twisted by {1}° because {2} and {3} are Clamped, turned as the geometry of their parts happens to be; choose Swivel if the cable may turn while it is mounted, or set Roll</source>
+      <translation>es ist um {1}° verdrillt, weil {2} und {3} Clamped sind, so gedreht, wie die Geometrie ihrer Teile gerade liegt; Swivel wählen, wenn sich das Kabel beim Einbau drehen kann, oder Roll setzen</translation>
+    </message>
+    <message>
+      <source>it must be pushed from {1} at {2} to keep {3} clear</source>
+      <translation>es muss bei {2} von {1} weggedrückt werden, um {3} Freiraum zu halten</translation>
+    </message>
+    <message>
+      <source>it passes a ring at an angle and is {1} mm inside the rim of the hole; no shape was found that keeps clear of it, so widen the hole, or change the length or the ring</source>
+      <translation>es läuft schräg durch einen Ring und ist {1} mm im Rand des Lochs; es wurde keine Form gefunden, die ihn frei lässt, daher das Loch weiten oder die Länge oder den Ring ändern</translation>
+    </message>
+    <message>
+      <source>its length</source>
+      <translation>seine Länge</translation>
+    </message>
+    <message>
+      <source>its length is not found yet</source>
+      <translation>seine Länge ist noch nicht gefunden</translation>
+    </message>
+    <message>
+      <source>its radius</source>
+      <translation>sein Radius</translation>
+    </message>
+    <message>
+      <source>its radius plus the clearance of {1}</source>
+      <translation>sein Radius zuzüglich des Freiraums von {1}</translation>
+    </message>
+    <message>
+      <source>its solve was stopped; a recompute starts it again</source>
+      <translation>seine Lösung wurde angehalten; ein Neuberechnen startet sie wieder</translation>
+    </message>
+    <message>
+      <source>leads out of its container; choose {1} anew</source>
+      <translation>führt aus dem Behälter heraus; {1} neu wählen</translation>
+    </message>
+    <message>
+      <source>leaves {1} of cable between {2} and {3}, but {4}; the shortest possible is {5}</source>
+      <translation>lässt {1} Kabel zwischen {2} und {3}, aber {4}; das kürzeste mögliche ist {5}</translation>
+    </message>
+    <message>
+      <source>length</source>
+      <translation>Länge</translation>
+    </message>
+    <message>
+      <source>longer</source>
+      <translation>länger</translation>
+    </message>
+    <message>
+      <source>longest</source>
+      <translation>größte</translation>
+    </message>
+    <message>
+      <source>no length will do: {1}</source>
+      <translation>keine Länge genügt: {1}</translation>
+    </message>
+    <message>
+      <source>no stiffness is given, so the cable is taken as rigid in {1}</source>
+      <translation>keine Steifigkeit angegeben, daher gilt das Kabel als starr gegen {1}</translation>
+    </message>
+    <message>
+      <source>obstacle {1}</source>
+      <translation>Hindernis {1}</translation>
+    </message>
+    <message>
+      <source>obstacles</source>
+      <translation>Hindernisse</translation>
+    </message>
+    <message>
+      <source>obstacles in reach: the cable keeps clear of them by itself (exact)</source>
+      <translation>Hindernisse in Reichweite: das Kabel bleibt von selbst frei von ihnen (exakt)</translation>
+    </message>
+    <message>
+      <source>obstacles: all {1} are out of reach of a cable of this length (exact)</source>
+      <translation>Hindernisse: alle {1} sind außer Reichweite eines Kabels dieser Länge (exakt)</translation>
+    </message>
+    <message>
+      <source>obstacles: {1} of {2} are out of reach of a cable of this length (exact)</source>
+      <translation>Hindernisse: {1} von {2} sind außer Reichweite eines Kabels dieser Länge (exakt)</translation>
+    </message>
+    <message>
+      <source>of {1} does not take {2}: {3}</source>
+      <translation>von {1} nimmt {2} nicht an: {3}</translation>
+    </message>
+    <message>
+      <source>of {1} is {2}, which is no number; choose a numeric one</source>
+      <translation>von {1} ist {2}, was keine Zahl ist; eine Zahl wählen</translation>
+    </message>
+    <message>
+      <source>pinned, the other end free and no weight: the cable can turn freely; clamp this end or hold the other</source>
+      <translation>nur an einem Punkt gehalten, das andere Ende frei und kein Gewicht: das Kabel kann sich frei drehen; dieses Ende einspannen oder das andere halten</translation>
+    </message>
+    <message>
+      <source>positions</source>
+      <translation>Positionen</translation>
+    </message>
+    <message>
+      <source>quaternions</source>
+      <translation>Quaternionen</translation>
+    </message>
+    <message>
+      <source>rims of rings: no equilibrium was found that keeps clear of them; the cable passes one at an angle and is {1} nearer to it than its radius allows</source>
+      <translation>Ränder von Ringen: es wurde kein Gleichgewicht gefunden, das sie frei lässt; das Kabel läuft schräg durch einen und ist um {1} näher an ihm, als sein Radius erlaubt</translation>
+    </message>
+    <message>
+      <source>shear</source>
+      <translation>Schub</translation>
+    </message>
+    <message>
+      <source>shear and stretch</source>
+      <translation>Schub und Dehnung</translation>
+    </message>
+    <message>
+      <source>shorter</source>
+      <translation>kürzer</translation>
+    </message>
+    <message>
+      <source>shortest</source>
+      <translation>kürzeste</translation>
+    </message>
+    <message>
+      <source>start</source>
+      <translation>Anfang</translation>
+    </message>
+    <message>
+      <source>stretch</source>
+      <translation>Dehnung</translation>
+    </message>
+    <message>
+      <source>summed along the cable they are {1} of its length, below the tolerance</source>
+      <translation>über das Kabel summiert {1} seiner Länge, unter der Toleranz</translation>
+    </message>
+    <message>
+      <source>support {1}</source>
+      <translation>Halterung {1}</translation>
+    </message>
+    <message>
+      <source>supports: the way through them leaves no slack between two of them; an inextensible cable needs some, or give it an axial stiffness</source>
+      <translation>Halterungen: der Weg durch sie lässt zwischen zweien keine Überlänge; ein undehnbares Kabel braucht welche, oder ihm eine Dehnsteifigkeit geben</translation>
+    </message>
+    <message>
+      <source>the cable itself</source>
+      <translation>das Kabel selbst</translation>
+    </message>
+    <message>
+      <source>the end is free to twist</source>
+      <translation>das Ende kann sich frei verdrehen</translation>
+    </message>
+    <message>
+      <source>the ends are {1} apart</source>
+      <translation>die Enden sind {1} auseinander</translation>
+    </message>
+    <message>
+      <source>the solver broke off: {1}</source>
+      <translation>der Löser brach ab: {1}</translation>
+    </message>
+    <message>
+      <source>the start is free to twist</source>
+      <translation>der Anfang kann sich frei verdrehen</translation>
+    </message>
+    <message>
+      <source>the start of the cable</source>
+      <translation>der Anfang des Kabels</translation>
+    </message>
+    <message>
+      <source>the terminals are at the same point</source>
+      <translation>die Anschlüsse liegen im selben Punkt</translation>
+    </message>
+    <message>
+      <source>the tightest bend, {1} mm at {2} mm from the start, is tighter than the {3} mm that {4} allows ({5})</source>
+      <translation>die engste Biegung, {1} mm, {2} mm nach dem Anfang, ist enger als die {3} mm, die {4} erlaubt ({5})</translation>
+    </message>
+    <message>
+      <source>the way through its supports is {1}</source>
+      <translation>der Weg durch seine Halterungen ist {1}</translation>
+    </message>
+    <message>
+      <source>the way through the supports between them is {1}</source>
+      <translation>der Weg durch die Halterungen dazwischen ist {1}</translation>
+    </message>
+    <message>
+      <source>there is no requirement</source>
+      <translation>es gibt keine Anforderung</translation>
+    </message>
+    <message>
+      <source>they are {1} apart</source>
+      <translation>sie sind {1} auseinander</translation>
+    </message>
+    <message>
+      <source>torsion</source>
+      <translation>Torsion</translation>
+    </message>
+    <message>
+      <source>torsion: {1}</source>
+      <translation>Torsion: {1}</translation>
+    </message>
+    <message>
+      <source>torsional</source>
+      <translation>Torsion</translation>
+    </message>
+    <message>
+      <source>what the {1} stretches between clamps have to do with each other: each is solved alone (exact)</source>
+      <translation>was die {1} Stücke zwischen Klemmen miteinander zu tun haben: jedes wird einzeln gelöst (exakt)</translation>
+    </message>
+    <message>
+      <source>with this diameter, the mass means a density of {1} kg/m³, outside {2} to {3} kg/m³; check its unit and the diameter</source>
+      <translation>bei diesem Durchmesser bedeutet die Masse eine Dichte von {1} kg/m³, außerhalb von {2} bis {3} kg/m³; ihre Einheit und den Durchmesser prüfen</translation>
+    </message>
+    <message>
+      <source>with this diameter, the {1} stiffness means a modulus of {2} Pa, outside {3} to {4} Pa; check its unit and the diameter</source>
+      <translation>bei diesem Durchmesser bedeutet die Steifigkeit gegen {1} einen Modul von {2} Pa, außerhalb von {3} bis {4} Pa; ihre Einheit und den Durchmesser prüfen</translation>
+    </message>
+    <message>
+      <source>{1} and the cable bends alike in all directions, so it carries no torque (exact)</source>
+      <translation>{1}, und das Kabel ist in allen Richtungen gleich biegsam, trägt also kein Drehmoment (exakt)</translation>
+    </message>
+    <message>
+      <source>{1} cannot be computed</source>
+      <translation>{1} kann nicht berechnet werden</translation>
+    </message>
+    <message>
+      <source>{1} cannot be drawn: {2}</source>
+      <translation>{1} kann nicht gezeichnet werden: {2}</translation>
+    </message>
+    <message>
+      <source>{1} cannot be read as a table in UTF-8: {2}</source>
+      <translation>{1} kann nicht als Tabelle in UTF-8 gelesen werden: {2}</translation>
+    </message>
+    <message>
+      <source>{1} cannot be run while the document is recomputed</source>
+      <translation>{1} kann nicht laufen, während das Dokument neu berechnet wird</translation>
+    </message>
+    <message>
+      <source>{1} cannot be written: {2}</source>
+      <translation>{1} kann nicht geschrieben werden: {2}</translation>
+    </message>
+    <message>
+      <source>{1} contains {2}; refer to an edge, a face or an object inside it</source>
+      <translation>{1} enthält {2}; auf eine Kante, eine Fläche oder ein Objekt darin verweisen</translation>
+    </message>
+    <message>
+      <source>{1} gives no direction for a cable; choose a circular edge, a flat or cylindrical face, a vertex, or an object with a placement such as a local coordinate system</source>
+      <translation>{1} gibt keine Richtung für ein Kabel; eine Kreiskante, eine ebene oder zylindrische Fläche, einen Punkt oder ein Objekt mit einer Platzierung wie ein lokales Koordinatensystem wählen</translation>
+    </message>
+    <message>
+      <source>{1} has axes of its own; only a vertex takes a second entry</source>
+      <translation>{1} hat eigene Achsen; nur ein Punkt nimmt einen zweiten Eintrag</translation>
+    </message>
+    <message>
+      <source>{1} in {2} elements</source>
+      <translation>{1} in {2} Elementen</translation>
+    </message>
+    <message>
+      <source>{1} is missing: the part has changed. Choose another</source>
+      <translation>{1} fehlt: das Teil hat sich geändert. Etwas anderes wählen</translation>
+    </message>
+    <message>
+      <source>{1} is not inside {2}, where {3} is, so the one cannot follow the other. Put both into the same part or assembly</source>
+      <translation>{1} ist nicht in {2}, wo {3} ist, daher kann das eine dem anderen nicht folgen. Beide in dasselbe Teil oder dieselbe Baugruppe legen</translation>
+    </message>
+    <message>
+      <source>{1} is not inside {2}: it was deleted or moved. Choose another</source>
+      <translation>{1} ist nicht in {2}: es wurde gelöscht oder verschoben. Etwas anderes wählen</translation>
+    </message>
+    <message>
+      <source>{1} is not solved; recompute it</source>
+      <translation>{1} ist nicht gelöst; es neu berechnen</translation>
+    </message>
+    <message>
+      <source>{1} is the {2} at which an equilibrium was found. At {3}: {4}</source>
+      <translation>{1} ist die {2} Länge, bei der ein Gleichgewicht gefunden wurde. Bei {3}: {4}</translation>
+    </message>
+    <message>
+      <source>{1} is the {2} that was tried</source>
+      <translation>{1} ist die {2} Länge, die versucht wurde</translation>
+    </message>
+    <message>
+      <source>{1} of {2} cases hold</source>
+      <translation>{1} von {2} Fällen genügen</translation>
+    </message>
+    <message>
+      <source>{1} of {2} stretches: unchanged since the last solution (exact)</source>
+      <translation>{1} von {2} Stücken: unverändert seit der letzten Lösung (exakt)</translation>
+    </message>
+    <message>
+      <source>{1} was stopped; the document is as it was</source>
+      <translation>{1} wurde angehalten; das Dokument ist, wie es war</translation>
+    </message>
+    <message>
+      <source>{1} was stored by a later version of the Cable workbench; what this one does not know it leaves alone. Update the workbench</source>
+      <translation>{1} wurde von einer neueren Version des Arbeitsbereichs Cable gespeichert; was diese nicht kennt, lässt sie in Ruhe. Den Arbeitsbereich aktualisieren</translation>
+    </message>
+    <message>
+      <source>{1}: only a placeholder; set what you know of this cable</source>
+      <translation>{1}: nur ein Platzhalter; eintragen, was über dieses Kabel bekannt ist</translation>
+    </message>
+    <message>
+      <source>{1}; choose a cable type</source>
+      <translation>{1}; einen Kabeltyp wählen</translation>
+    </message>
+  </context>
+  <context>
     <name>Workbench</name>
     <message>
       <source>Cable</source>

@@ -1454,6 +1454,1033 @@
     </message>
   </context>
   <context>
+    <name>Sentence</name>
+    <message>
+      <source>, and neither mesh nor time allowed more</source>
+      <translation>，而网格和时间都不允许更高精度</translation>
+    </message>
+    <message>
+      <source>, line 1: {1}; the columns are {2}</source>
+      <translation>，第 1 行：{1}；各列为 {2}</translation>
+    </message>
+    <message>
+      <source>, line {1}</source>
+      <translation>，第 {1} 行</translation>
+    </message>
+    <message>
+      <source>, or empty</source>
+      <translation>，或留空</translation>
+    </message>
+    <message>
+      <source>, with elements fixed</source>
+      <translation>，单元数为给定值</translation>
+    </message>
+    <message>
+      <source>.</source>
+      <translation>。</translation>
+    </message>
+    <message>
+      <source>. </source>
+      <translation>。</translation>
+    </message>
+    <message>
+      <source>: </source>
+      <translation>：</translation>
+    </message>
+    <message>
+      <source>An equilibrium was found, but not to the tolerance asked for</source>
+      <translation>找到了平衡，但未达到要求的公差</translation>
+    </message>
+    <message>
+      <source>At {1} the cable is {2} nearer to {3} than {4} allows</source>
+      <translation>在 {1} 处，线缆与{3}的距离比{4}所允许的近 {2}</translation>
+    </message>
+    <message>
+      <source>Begins to buckle {1}</source>
+      <translation>{1}开始屈曲</translation>
+    </message>
+    <message>
+      <source>BendingStiffness lies outside of SlipBendingStiffness and StickBendingStiffness</source>
+      <translation>BendingStiffness 不在 SlipBendingStiffness 和 StickBendingStiffness 之间</translation>
+    </message>
+    <message>
+      <source>CasADi is not installed, so no cable can be solved; what was solved before can still be seen. Install it with: {1} casadi</source>
+      <translation>未安装 CasADi，因此无法求解线缆；以前求解的结果仍可查看。安装命令：{1} casadi</translation>
+    </message>
+    <message>
+      <source>Check lengths, stiffness and mass for a wrong unit</source>
+      <translation>请检查长度、刚度和质量的单位是否有误</translation>
+    </message>
+    <message>
+      <source>Check lengths, stiffness and mass for a wrong unit; a different length may be easier</source>
+      <translation>请检查长度、刚度和质量的单位是否有误；换一个长度也许更容易求解</translation>
+    </message>
+    <message>
+      <source>Diameter {1} mm, {2} g/m, {3}, GJ {4} N m²</source>
+      <translation>直径 {1} mm，{2} g/m，{3}，GJ {4} N m²</translation>
+    </message>
+    <message>
+      <source>EI {1} and {2} N m²</source>
+      <translation>EI {1} 和 {2} N m²</translation>
+    </message>
+    <message>
+      <source>Edge{1} of {2}</source>
+      <translation>{2} 的 Edge{1}</translation>
+    </message>
+    <message>
+      <source>Face{1} of {2}</source>
+      <translation>{2} 的 Face{1}</translation>
+    </message>
+    <message>
+      <source>From {1} mm to {2} mm it keeps its bend radius only if it is formed there, with a moment of {3} N m</source>
+      <translation>从 {1} mm 到 {2} mm，只有在该处以 {3} N m 的力矩成形，才能满足弯曲半径</translation>
+    </message>
+    <message>
+      <source>If {1} than {2}, {3}</source>
+      <translation>若比 {2} {1}，{3}</translation>
+    </message>
+    <message>
+      <source>It bends to {1} at {2}; the limit is {3}</source>
+      <translation>它在 {2} 处弯曲至 {1}；限值为 {3}</translation>
+    </message>
+    <message>
+      <source>It is {1} s</source>
+      <translation>时限为 {1} s</translation>
+    </message>
+    <message>
+      <source>It may be too short to get past the obstacles, or have no way between them: try it longer, or with some of them left out</source>
+      <translation>它可能太短，无法绕过障碍物，或者障碍物之间没有通路：请尝试加长，或去掉部分障碍物</translation>
+    </message>
+    <message>
+      <source>It must be pushed from {1} at {2} to keep {3} clear</source>
+      <translation>为保持 {3} 的间隙，必须在 {2} 处将它从{1}推开</translation>
+    </message>
+    <message>
+      <source>Its length is only {1} % above the chord; give it more slack</source>
+      <translation>其长度仅比直线距离长 {1} %；请增加余量</translation>
+    </message>
+    <message>
+      <source>Jumps to another equilibrium {1}; its shape changes by {2} of the length</source>
+      <translation>{1}跳到另一个平衡；其形状变化为长度的 {2}</translation>
+    </message>
+    <message>
+      <source>Kept: {1}</source>
+      <translation>保留：{1}</translation>
+    </message>
+    <message>
+      <source>Left out: {1}</source>
+      <translation>略去：{1}</translation>
+    </message>
+    <message>
+      <source>No length up to {1} will do. The best is {2}, but {3}; a limit that this length keeps, other ends or supports, or a softer cable would help</source>
+      <translation>{1} 以内没有可行的长度。最好的是 {2}，但{3}；放宽到该长度能满足的限值、更换端部或支撑，或使用更软的线缆会有帮助</translation>
+    </message>
+    <message>
+      <source>No shape of this cable satisfies all requirements</source>
+      <translation>该线缆没有满足所有要求的形状</translation>
+    </message>
+    <message>
+      <source>No shape yet</source>
+      <translation>尚无形状</translation>
+    </message>
+    <message>
+      <source>Not run yet; Run Study does</source>
+      <translation>尚未运行；请用“研究”命令运行</translation>
+    </message>
+    <message>
+      <source>Out of date</source>
+      <translation>已过期</translation>
+    </message>
+    <message>
+      <source>Out of date; Run Study brings it up to date</source>
+      <translation>已过期；请用“研究”命令更新</translation>
+    </message>
+    <message>
+      <source>Recomputed from its nodes, its moments are out of balance by {1}</source>
+      <translation>由节点重新计算，其力矩不平衡达 {1}</translation>
+    </message>
+    <message>
+      <source>Row {1} is the worst: {2}</source>
+      <translation>第 {1} 行最差：{2}</translation>
+    </message>
+    <message>
+      <source>Solved by {1}, scheme {2}, {3} elements</source>
+      <translation>求解器 {1}，格式 {2}，{3} 个单元</translation>
+    </message>
+    <message>
+      <source>The arc length of node {1} is less than that of node {2}</source>
+      <translation>节点 {1} 的弧长小于节点 {2} 的弧长</translation>
+    </message>
+    <message>
+      <source>The cable bends to a radius of {1} mm at {2} mm from its start, and its section reaches farther than that to the inside of the bend: its surface would fold</source>
+      <translation>线缆在距起点 {2} mm 处弯曲至半径 {1} mm，而其截面向弯曲内侧伸出更多：表面会折叠</translation>
+    </message>
+    <message>
+      <source>The cable has {1} node(s); a shape needs at least 2</source>
+      <translation>线缆有 {1} 个节点；形状至少需要 2 个</translation>
+    </message>
+    <message>
+      <source>The cable is in equilibrium</source>
+      <translation>线缆处于平衡</translation>
+    </message>
+    <message>
+      <source>The cable is {1} mm long; a shape needs at least {2} mm</source>
+      <translation>线缆长 {1} mm；形状至少需要 {2} mm</translation>
+    </message>
+    <message>
+      <source>The cable passes through itself: its points at {1} mm and {2} mm from its start are {3} mm apart</source>
+      <translation>线缆穿过自身：距起点 {1} mm 和 {2} mm 的两点相距 {3} mm</translation>
+    </message>
+    <message>
+      <source>The cable runs through itself at {1} and {2}, {3} deep, and no equilibrium was found in which it does not; change its length or what holds it</source>
+      <translation>线缆在 {1} 和 {2} 处穿过自身，深度 {3}，且未找到不穿过自身的平衡；请更改其长度或固定方式</translation>
+    </message>
+    <message>
+      <source>The cable slides through {1} until nothing is left on one side of it; give that support an arc length, or hold the cable elsewhere</source>
+      <translation>线缆在{1}中滑动，直到一侧不再有余长；请为该支撑指定位置，或在别处固定线缆</translation>
+    </message>
+    <message>
+      <source>The cable turns by {1} rad between its nodes {2} and {3}; a shape needs less than {4} rad. Solve with more elements</source>
+      <translation>线缆在节点 {2} 和 {3} 之间转过 {1} rad；形状要求小于 {4} rad。请用更多单元求解</translation>
+    </message>
+    <message>
+      <source>The cable's shape would have {1} times the volume of its length. Solve with more elements</source>
+      <translation>线缆形状的体积将是其长度对应体积的 {1} 倍。请用更多单元求解</translation>
+    </message>
+    <message>
+      <source>The position error is estimated at {1} of the length; {2} was asked for</source>
+      <translation>位置误差估计为长度的 {1}；要求为 {2}</translation>
+    </message>
+    <message>
+      <source>The positions, tangents and arc lengths of the nodes do not belong together: two nodes are {1} mm apart and should be {2} mm apart</source>
+      <translation>节点的位置、切线和弧长不一致：两个节点相距 {1} mm，应相距 {2} mm</translation>
+    </message>
+    <message>
+      <source>The profile crosses or touches itself, so it bounds no section</source>
+      <translation>轮廓与自身相交或接触，因此不能围成截面</translation>
+    </message>
+    <message>
+      <source>The profile does not lie in its own xy-plane: z runs from {1} mm to {2} mm and must be 0</source>
+      <translation>轮廓不在其自身的 xy 平面内：z 从 {1} mm 到 {2} mm，必须为 0</translation>
+    </message>
+    <message>
+      <source>The profile has {1} faces; it must have one</source>
+      <translation>轮廓有 {1} 个面；必须只有一个</translation>
+    </message>
+    <message>
+      <source>The profile has {1} separate parts; it must have one (holes are allowed)</source>
+      <translation>轮廓有 {1} 个分离的部分；必须只有一个（允许有孔）</translation>
+    </message>
+    <message>
+      <source>The profile is empty; it must be a closed planar outline</source>
+      <translation>轮廓为空；必须是封闭的平面轮廓</translation>
+    </message>
+    <message>
+      <source>The profile is not closed; its edges must form closed outlines</source>
+      <translation>轮廓未封闭；其边必须构成封闭轮廓</translation>
+    </message>
+    <message>
+      <source>The profile is {1} mm across; it must be at least {2} mm</source>
+      <translation>轮廓尺寸为 {1} mm；至少须为 {2} mm</translation>
+    </message>
+    <message>
+      <source>The quaternion of node {1} has the length {2}; it must be 1</source>
+      <translation>节点 {1} 的四元数长度为 {2}；必须为 1</translation>
+    </message>
+    <message>
+      <source>The radius is {1} mm; it must be at least {2} mm</source>
+      <translation>半径为 {1} mm；至少须为 {2} mm</translation>
+    </message>
+    <message>
+      <source>The reference is {1}; it must be an object, or a pair of an object and the name of its edge or face, as in (connector, 'Edge7')</source>
+      <translation>参照为 {1}；必须是一个对象，或一个对象与其边或面名称组成的对，例如 (connector, 'Edge7')</translation>
+    </message>
+    <message>
+      <source>The report cannot be written: {1}: {2}; choose another folder</source>
+      <translation>无法写入报告：{1}：{2}；请选择其他文件夹</translation>
+    </message>
+    <message>
+      <source>The shape found is an equilibrium but not a stable one: the cable would leave it</source>
+      <translation>找到的形状是平衡但不稳定：线缆会离开该形状</translation>
+    </message>
+    <message>
+      <source>The shape it ended with is not held as its ends and supports say</source>
+      <translation>求解结束时的形状不符合端部和支撑的固定方式</translation>
+    </message>
+    <message>
+      <source>The solid of the cable could not be built: {1}</source>
+      <translation>无法生成线缆的实体：{1}</translation>
+    </message>
+    <message>
+      <source>The solid of the cable is not valid and closed</source>
+      <translation>线缆的实体无效或未封闭</translation>
+    </message>
+    <message>
+      <source>The solver found no equilibrium</source>
+      <translation>求解器未找到平衡</translation>
+    </message>
+    <message>
+      <source>The stretch {1}: {2}</source>
+      <translation>{1}的一段：{2}</translation>
+    </message>
+    <message>
+      <source>The time limit was reached before an equilibrium was found</source>
+      <translation>在找到平衡之前已达到时限</translation>
+    </message>
+    <message>
+      <source>The {1} of node {2} are not finite numbers</source>
+      <translation>节点 {2} 的{1}不是有限数值</translation>
+    </message>
+    <message>
+      <source>The {1} of the nodes have the shape {2}; it must be {3}</source>
+      <translation>节点的{1}的维度为 {2}；必须为 {3}</translation>
+    </message>
+    <message>
+      <source>There is no solved shape to draw. Solve the cable first</source>
+      <translation>没有可绘制的求解形状。请先求解线缆</translation>
+    </message>
+    <message>
+      <source>This CasADi has no plug-in {1}; install the casadi wheel from PyPI</source>
+      <translation>此 CasADi 没有插件 {1}；请从 PyPI 安装 casadi</translation>
+    </message>
+    <message>
+      <source>Update is {1}; Solve Now brings it up to date</source>
+      <translation>Update 为 {1}；“立即求解”可将其更新</translation>
+    </message>
+    <message>
+      <source>Vertex{1} of {2}</source>
+      <translation>{2} 的 Vertex{1}</translation>
+    </message>
+    <message>
+      <source>Warning</source>
+      <translation>警告</translation>
+    </message>
+    <message>
+      <source>a cable, which is taken as rigid: pushed with up to {1} N at a place, and that does not move it</source>
+      <translation>一根线缆，视为刚性：在一处受到至多 {1} N 的推力，且不因此移动</translation>
+    </message>
+    <message>
+      <source>a list of lists of 3 whole numbers</source>
+      <translation>由 3 个整数的列表组成的列表</translation>
+    </message>
+    <message>
+      <source>a spline needs two points or more, each apart from the one before</source>
+      <translation>样条需要两个或更多的点，且每个点与前一点不重合</translation>
+    </message>
+    <message>
+      <source>all that holds the cable, but for one clamp at most, lets it twist</source>
+      <translation>除至多一个夹具外，固定线缆的一切都允许其扭转</translation>
+    </message>
+    <message>
+      <source>an end is free</source>
+      <translation>有一端自由</translation>
+    </message>
+    <message>
+      <source>arc lengths</source>
+      <translation>弧长</translation>
+    </message>
+    <message>
+      <source>are all {1}; at least two must differ</source>
+      <translation>全部为 {1}；至少须有两个不同</translation>
+    </message>
+    <message>
+      <source>are empty; name what varies</source>
+      <translation>为空；请指明变化的量</translation>
+    </message>
+    <message>
+      <source>are {1}, but none has an area: all corners of each are on one line or at one point</source>
+      <translation>共 {1} 个，但都没有面积：每个的所有角点都在一条直线上或同一点</translation>
+    </message>
+    <message>
+      <source>are {1}, which have {2} corners; at most {3} can be tried; draw cases at random instead</source>
+      <translation>共 {1} 个，有 {2} 个角点组合；最多可试 {3} 个；请改用随机工况</translation>
+    </message>
+    <message>
+      <source>are {1}; at most {2} can be solved; divide the cable at a clamp</source>
+      <translation>共 {1} 个；最多可求解 {2} 个；请在夹具处将线缆分开</translation>
+    </message>
+    <message>
+      <source>at least {1} lists of 3 numbers</source>
+      <translation>至少 {1} 个由 3 个数组成的列表</translation>
+    </message>
+    <message>
+      <source>at the centreline</source>
+      <translation>在中心线处</translation>
+    </message>
+    <message>
+      <source>at the inside of the bend</source>
+      <translation>在弯曲内侧</translation>
+    </message>
+    <message>
+      <source>at {1} it is held {2} mm inside {3}; two cables do not fit there, so hold one of them beside the other</source>
+      <translation>在{1}处，它被固定在 {3} 内部 {2} mm；该处放不下两根线缆，请将其中一根固定在另一根旁边</translation>
+    </message>
+    <message>
+      <source>bend radius</source>
+      <translation>弯曲半径</translation>
+    </message>
+    <message>
+      <source>bending</source>
+      <translation>弯曲</translation>
+    </message>
+    <message>
+      <source>bending in two directions</source>
+      <translation>两个方向的弯曲</translation>
+    </message>
+    <message>
+      <source>between {1} and {2}</source>
+      <translation>在{1}与{2}之间</translation>
+    </message>
+    <message>
+      <source>both ends are free and every support lets the cable slide, so it would slide out; hold an end or give a support an arc length</source>
+      <translation>两端自由且每个支撑都允许线缆滑动，线缆会滑出；请固定一端，或为一个支撑指定位置</translation>
+    </message>
+    <message>
+      <source>both ends are free, so nothing holds the cable; hold one of them</source>
+      <translation>两端自由，线缆没有任何固定；请固定其中一端</translation>
+    </message>
+    <message>
+      <source>do not part inside from outside at the edge from {1} to {2}: the triangles there do not all have the same side out, or one is missing; turn or add triangles</source>
+      <translation>在从 {1} 到 {2} 的边处没有分开内外：该处三角形的外侧不一致，或缺少一个；请翻转或补充三角形</translation>
+    </message>
+    <message>
+      <source>enclose {1} m³, which must be positive: they are clockwise seen from outside, or a sheet that is there twice; reverse each of them, or leave one layer out</source>
+      <translation>包围的体积为 {1} m³，必须为正：从外侧看它们是顺时针，或是重复的一层；请逐个翻转，或去掉一层</translation>
+    </message>
+    <message>
+      <source>end</source>
+      <translation>终点</translation>
+    </message>
+    <message>
+      <source>fatrop or ipopt</source>
+      <translation>fatrop 或 ipopt</translation>
+    </message>
+    <message>
+      <source>gravity</source>
+      <translation>重力</translation>
+    </message>
+    <message>
+      <source>gravity: there is none, or the cable has no mass (exact)</source>
+      <translation>重力：没有重力，或线缆没有质量（精确）</translation>
+    </message>
+    <message>
+      <source>has a column {1}</source>
+      <translation>有多余的列 {1}</translation>
+    </message>
+    <message>
+      <source>has more or fewer values than columns; put text with commas in quotes</source>
+      <translation>的值数与列数不符；含逗号的文本请加引号</translation>
+    </message>
+    <message>
+      <source>has no column {1}</source>
+      <translation>没有列 {1}</translation>
+    </message>
+    <message>
+      <source>has no one set of equilibria; give a length, and ask for each stretch alone</source>
+      <translation>没有唯一的平衡集合；请给出长度，并分段求解</translation>
+    </message>
+    <message>
+      <source>has no value at which the cable can be solved</source>
+      <translation>没有可求解线缆的取值</translation>
+    </message>
+    <message>
+      <source>has {1}</source>
+      <translation>含有 {1}</translation>
+    </message>
+    <message>
+      <source>has {1} entries; it takes one, or a vertex and a local coordinate system</source>
+      <translation>有 {1} 项；应为一项，或一个顶点加一个局部坐标系</translation>
+    </message>
+    <message>
+      <source>has {1} of {2}, which was deleted or moved</source>
+      <translation>含有 {2} 的 {1}，它已被删除或移动</translation>
+    </message>
+    <message>
+      <source>has {1} rows; it must have at least {2}</source>
+      <translation>有 {1} 行；至少须有 {2} 行</translation>
+    </message>
+    <message>
+      <source>has {1} twice; a cable passes a support once</source>
+      <translation>两次含有 {1}；线缆只经过一个支撑一次</translation>
+    </message>
+    <message>
+      <source>has {1}, which follows from the cable itself, so neither can be first; of two cables, only one can have the other as an obstacle</source>
+      <translation>含有 {1}，它由线缆自身得出，因此无法确定先后；两根线缆中只能有一根以另一根为障碍物</translation>
+    </message>
+    <message>
+      <source>has {1}, which has no solid; choose parts with solids</source>
+      <translation>含有 {1}，它没有实体；请选择有实体的零件</translation>
+    </message>
+    <message>
+      <source>has {1}, which is in another part or assembly than the cable; put both into the same</source>
+      <translation>含有 {1}，它与线缆不在同一零件或装配中；请将两者放在一起</translation>
+    </message>
+    <message>
+      <source>has {1}, which is no support; choose clamps, sleeves, rings or clips</source>
+      <translation>含有 {1}，它不是支撑；请选择夹具、套管、圆环或卡扣</translation>
+    </message>
+    <message>
+      <source>has {1}; it may have {2}</source>
+      <translation>含有 {1}；允许的是 {2}</translation>
+    </message>
+    <message>
+      <source>is Enforce, but {1} has no limit; set its MinBendRadius, or use Check</source>
+      <translation>为 Enforce，但 {1} 没有限值；请设置其 MinBendRadius，或使用 Check</translation>
+    </message>
+    <message>
+      <source>is Shortest. {1}</source>
+      <translation>为 Shortest。{1}</translation>
+    </message>
+    <message>
+      <source>is an array {1} of {2}; it must be {3}</source>
+      <translation>为 {2} 的数组 {1}；必须是{3}</translation>
+    </message>
+    <message>
+      <source>is empty</source>
+      <translation>为空</translation>
+    </message>
+    <message>
+      <source>is empty: its object was deleted or never chosen. Choose an edge, a face or an object</source>
+      <translation>为空：其对象已被删除或从未选择。请选择边、面或对象</translation>
+    </message>
+    <message>
+      <source>is empty: the cable was deleted; delete this too or choose another</source>
+      <translation>为空：线缆已被删除；请将此对象也删除，或另选一根</translation>
+    </message>
+    <message>
+      <source>is empty; choose a terminal. One that is Free lets the end hang</source>
+      <translation>为空；请选择端子。Free 的端子让该端悬垂</translation>
+    </message>
+    <message>
+      <source>is empty; every type needs one</source>
+      <translation>为空；每种类型都需要名称</translation>
+    </message>
+    <message>
+      <source>is empty; it must have at least 1 row</source>
+      <translation>为空；至少须有 1 行</translation>
+    </message>
+    <message>
+      <source>is free; a route needs both ends held</source>
+      <translation>是自由的；路径要求两端固定</translation>
+    </message>
+    <message>
+      <source>is missing</source>
+      <translation>缺失</translation>
+    </message>
+    <message>
+      <source>is not given, so it cannot be enforced; give it</source>
+      <translation>未给定，因此无法强制；请给出</translation>
+    </message>
+    <message>
+      <source>is not known here; known are {1}</source>
+      <translation>在此无法识别；可识别的有 {1}</translation>
+    </message>
+    <message>
+      <source>is off, and there is no other tolerance; give one</source>
+      <translation>已关闭，且没有其他公差；请给出一个</translation>
+    </message>
+    <message>
+      <source>is that of the start; a chord needs two points</source>
+      <translation>与起点相同；直线需要两个点</translation>
+    </message>
+    <message>
+      <source>is zero; a catenary needs a direction to hang in</source>
+      <translation>为零；悬链线需要悬垂的方向</translation>
+    </message>
+    <message>
+      <source>is {1} and so is From; give a range, or Values</source>
+      <translation>为 {1}，From 也是；请给出范围，或给出 Values</translation>
+    </message>
+    <message>
+      <source>is {1} and so is Start; choose two different terminals</source>
+      <translation>为 {1}，Start 也是；请选择两个不同的端子</translation>
+    </message>
+    <message>
+      <source>is {1} and the ends are {2} apart, which leaves no slack; an inextensible cable needs at least {3}, or give it an axial stiffness</source>
+      <translation>为 {1}，而两端相距 {2}，没有余量；不可伸长的线缆至少需要 {3}，或为其指定轴向刚度</translation>
+    </message>
+    <message>
+      <source>is {1} away from {2}, but the cable has only {3} on this side of it, so it does not reach; the cable must be longer or the support nearer</source>
+      <translation>距{2} {1}，但线缆在这一侧只有 {3}，因此够不到；线缆须更长，或支撑须更近</translation>
+    </message>
+    <message>
+      <source>is {1} mm; it must be greater than 0 mm, or let the cable slide (Slides)</source>
+      <translation>为 {1} mm；必须大于 0 mm，或让线缆滑动（Slides）</translation>
+    </message>
+    <message>
+      <source>is {1} mm; it must be less than the radius of {2} mm</source>
+      <translation>为 {1} mm；必须小于半径 {2} mm</translation>
+    </message>
+    <message>
+      <source>is {1} s; it must be greater than 0</source>
+      <translation>为 {1} s；必须大于 0</translation>
+    </message>
+    <message>
+      <source>is {1}, but the cable's radius is {2}, so it does not pass; take a wider ring or a thinner cable</source>
+      <translation>为 {1}，但线缆半径为 {2}，因此无法通过；请用更大的圆环或更细的线缆</translation>
+    </message>
+    <message>
+      <source>is {1}, but the points are {2} apart; make it at least that</source>
+      <translation>为 {1}，但两点相距 {2}；请至少取该值</translation>
+    </message>
+    <message>
+      <source>is {1}, but the terminals are {2} apart; the shortest possible length is {3}. Make the cable longer or bring the terminals closer</source>
+      <translation>为 {1}，但端子相距 {2}；最短可能长度为 {3}。请加长线缆或将端子移近</translation>
+    </message>
+    <message>
+      <source>is {1}, but {2} before it is at {3}; supports must be in order along the cable</source>
+      <translation>为 {1}，但其前面的{2}位于 {3}；支撑须沿线缆依次排列</translation>
+    </message>
+    <message>
+      <source>is {1}, but {2}, so there is no straight distance; use Fixed</source>
+      <translation>为 {1}，但{2}，因此没有直线距离；请使用 Fixed</translation>
+    </message>
+    <message>
+      <source>is {1}, but {2}; the shortest possible length is {3}</source>
+      <translation>为 {1}，但{2}；最短可能长度为 {3}</translation>
+    </message>
+    <message>
+      <source>is {1}, which does not change the cable; choose a number that it depends on</source>
+      <translation>为 {1}，它不影响线缆；请选择线缆所依赖的数值</translation>
+    </message>
+    <message>
+      <source>is {1}, which is in another part or assembly than the cable; put both into the same</source>
+      <translation>为 {1}，它与线缆不在同一零件或装配中；请将两者放在一起</translation>
+    </message>
+    <message>
+      <source>is {1}, which is no cable terminal; choose a terminal</source>
+      <translation>为 {1}，它不是线缆端子；请选择端子</translation>
+    </message>
+    <message>
+      <source>is {1}, which is no cable type</source>
+      <translation>为 {1}，它不是线缆类型</translation>
+    </message>
+    <message>
+      <source>is {1}, which is no cable; choose a cable</source>
+      <translation>为 {1}，它不是线缆；请选择线缆</translation>
+    </message>
+    <message>
+      <source>is {1}, which is not on the cable; its length is {2}</source>
+      <translation>为 {1}，不在线缆上；线缆长度为 {2}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a finite number</source>
+      <translation>为 {1}；必须是有限数值</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a finite number, at most {2} in size</source>
+      <translation>为 {1}；必须是绝对值不超过 {2} 的有限数值</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a list of 3 numbers</source>
+      <translation>为 {1}；必须是 3 个数的列表</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a list of {2} numbers</source>
+      <translation>为 {1}；必须是 {2} 个数的列表</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a number greater than 0 and at most {2}</source>
+      <translation>为 {1}；必须是大于 0 且不超过 {2} 的数</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a number{2}</source>
+      <translation>为 {1}；必须是数值{2}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a whole number</source>
+      <translation>为 {1}；必须是整数</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be a whole number from {2}</source>
+      <translation>为 {1}；必须是不小于 {2} 的整数</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be an object</source>
+      <translation>为 {1}；必须是对象</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least 0</source>
+      <translation>为 {1}；至少须为 0</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least 1</source>
+      <translation>为 {1}；至少须为 1</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least 2</source>
+      <translation>为 {1}；至少须为 2</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be at least {2}</source>
+      <translation>为 {1}；至少须为 {2}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be between 1e-10 and 0.1</source>
+      <translation>为 {1}；必须在 1e-10 与 0.1 之间</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be between 2 and 10000</source>
+      <translation>为 {1}；必须在 2 与 10000 之间</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be from 0 to {2}, as there are {3} {4}</source>
+      <translation>为 {1}；必须在 0 至 {2} 之间，因为共有 {3} {4}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be greater than 0</source>
+      <translation>为 {1}；必须大于 0</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be greater than {2}</source>
+      <translation>为 {1}；必须大于 {2}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be inside or centreline</source>
+      <translation>为 {1}；必须是 inside 或 centreline</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be one of {2}</source>
+      <translation>为 {1}；必须是 {2} 之一</translation>
+    </message>
+    <message>
+      <source>is {1}; it must be {2}</source>
+      <translation>为 {1}；必须是{2}</translation>
+    </message>
+    <message>
+      <source>is {1}; it must begin with one of {2}, a comma, and the source</source>
+      <translation>为 {1}；必须以 {2} 之一开头，后接逗号和来源</translation>
+    </message>
+    <message>
+      <source>is {1}; it must lie between the bounds {2} (strands slip) and {3} (they stick)</source>
+      <translation>为 {1}；必须在下限 {2}（股线滑移）与上限 {3}（股线粘着）之间</translation>
+    </message>
+    <message>
+      <source>is {1}; its length is zero, so it gives no direction</source>
+      <translation>为 {1}；其长度为零，因此没有方向</translation>
+    </message>
+    <message>
+      <source>it bends to {1} at {2}, and {3} is the limit</source>
+      <translation>它在 {2} 处弯曲至 {1}，而限值为 {3}</translation>
+    </message>
+    <message>
+      <source>it does not act, the cable would be the same without it (exact)</source>
+      <translation>不起作用，没有它线缆也一样（精确）</translation>
+    </message>
+    <message>
+      <source>it holds with the least margin</source>
+      <translation>满足要求，但裕量最小</translation>
+    </message>
+    <message>
+      <source>it is Moving, but has no MinBendRadiusMoving; MinBendRadius counts</source>
+      <translation>它为 Moving，但没有 MinBendRadiusMoving；以 MinBendRadius 为准</translation>
+    </message>
+    <message>
+      <source>it is being solved</source>
+      <translation>正在求解</translation>
+    </message>
+    <message>
+      <source>it is twisted by {1}° because {2} and {3} are Clamped, turned as the geometry of their parts happens to be; choose Swivel if the cable may turn while it is mounted, or set Roll</source>
+      <translation>它扭转了 {1}°，因为 {2} 和 {3} 为 Clamped，其转角由零件几何偶然决定；若线缆在安装时可以转动，请选择 Swivel，或设置 Roll</translation>
+    </message>
+    <message>
+      <source>it must be pushed from {1} at {2} to keep {3} clear</source>
+      <translation>为保持 {3} 的间隙，必须在 {2} 处将它从{1}推开</translation>
+    </message>
+    <message>
+      <source>it passes a ring at an angle and is {1} mm inside the rim of the hole; no shape was found that keeps clear of it, so widen the hole, or change the length or the ring</source>
+      <translation>它斜着穿过圆环，进入孔边缘 {1} mm；未找到避开边缘的形状，请扩孔，或更改长度或圆环</translation>
+    </message>
+    <message>
+      <source>its length</source>
+      <translation>其长度</translation>
+    </message>
+    <message>
+      <source>its length is not found yet</source>
+      <translation>其长度尚未求出</translation>
+    </message>
+    <message>
+      <source>its radius</source>
+      <translation>其半径</translation>
+    </message>
+    <message>
+      <source>its radius plus the clearance of {1}</source>
+      <translation>其半径加上间隙 {1}</translation>
+    </message>
+    <message>
+      <source>its solve was stopped; a recompute starts it again</source>
+      <translation>求解已停止；重新计算会再次启动</translation>
+    </message>
+    <message>
+      <source>leads out of its container; choose {1} anew</source>
+      <translation>指向其容器之外；请重新选择 {1}</translation>
+    </message>
+    <message>
+      <source>leaves {1} of cable between {2} and {3}, but {4}; the shortest possible is {5}</source>
+      <translation>在{2}与{3}之间留下 {1} 线缆，但{4}；最短可能为 {5}</translation>
+    </message>
+    <message>
+      <source>length</source>
+      <translation>长度</translation>
+    </message>
+    <message>
+      <source>longer</source>
+      <translation>更长</translation>
+    </message>
+    <message>
+      <source>longest</source>
+      <translation>最长</translation>
+    </message>
+    <message>
+      <source>no length will do: {1}</source>
+      <translation>没有可行的长度：{1}</translation>
+    </message>
+    <message>
+      <source>no stiffness is given, so the cable is taken as rigid in {1}</source>
+      <translation>未给定刚度，因此线缆视为不可{1}</translation>
+    </message>
+    <message>
+      <source>obstacle {1}</source>
+      <translation>障碍物 {1}</translation>
+    </message>
+    <message>
+      <source>obstacles</source>
+      <translation>障碍物</translation>
+    </message>
+    <message>
+      <source>obstacles in reach: the cable keeps clear of them by itself (exact)</source>
+      <translation>可及的障碍物：线缆自行避开（精确）</translation>
+    </message>
+    <message>
+      <source>obstacles: all {1} are out of reach of a cable of this length (exact)</source>
+      <translation>障碍物：全部 {1} 个都在此长度线缆的可及范围之外（精确）</translation>
+    </message>
+    <message>
+      <source>obstacles: {1} of {2} are out of reach of a cable of this length (exact)</source>
+      <translation>障碍物：{2} 个中有 {1} 个在此长度线缆的可及范围之外（精确）</translation>
+    </message>
+    <message>
+      <source>of {1} does not take {2}: {3}</source>
+      <translation>（{1}）不接受 {2}：{3}</translation>
+    </message>
+    <message>
+      <source>of {1} is {2}, which is no number; choose a numeric one</source>
+      <translation>（{1}）为 {2}，不是数值；请选择数值属性</translation>
+    </message>
+    <message>
+      <source>pinned, the other end free and no weight: the cable can turn freely; clamp this end or hold the other</source>
+      <translation>仅固定位置，另一端自由且没有重量：线缆可自由转动；请将此端完全固定，或固定另一端</translation>
+    </message>
+    <message>
+      <source>positions</source>
+      <translation>位置</translation>
+    </message>
+    <message>
+      <source>quaternions</source>
+      <translation>四元数</translation>
+    </message>
+    <message>
+      <source>rims of rings: no equilibrium was found that keeps clear of them; the cable passes one at an angle and is {1} nearer to it than its radius allows</source>
+      <translation>圆环边缘：未找到避开边缘的平衡；线缆斜着穿过其中一个，与其距离比半径所允许的近 {1}</translation>
+    </message>
+    <message>
+      <source>shear</source>
+      <translation>剪切</translation>
+    </message>
+    <message>
+      <source>shear and stretch</source>
+      <translation>剪切和伸长</translation>
+    </message>
+    <message>
+      <source>shorter</source>
+      <translation>更短</translation>
+    </message>
+    <message>
+      <source>shortest</source>
+      <translation>最短</translation>
+    </message>
+    <message>
+      <source>start</source>
+      <translation>起点</translation>
+    </message>
+    <message>
+      <source>stretch</source>
+      <translation>伸长</translation>
+    </message>
+    <message>
+      <source>summed along the cable they are {1} of its length, below the tolerance</source>
+      <translation>沿线缆累计为其长度的 {1}，低于公差</translation>
+    </message>
+    <message>
+      <source>support {1}</source>
+      <translation>支撑 {1}</translation>
+    </message>
+    <message>
+      <source>supports: the way through them leaves no slack between two of them; an inextensible cable needs some, or give it an axial stiffness</source>
+      <translation>支撑：经过它们的路径在其中两个之间没有余量；不可伸长的线缆需要余量，或为其指定轴向刚度</translation>
+    </message>
+    <message>
+      <source>the cable itself</source>
+      <translation>线缆自身</translation>
+    </message>
+    <message>
+      <source>the end is free to twist</source>
+      <translation>终点可自由扭转</translation>
+    </message>
+    <message>
+      <source>the ends are {1} apart</source>
+      <translation>两端相距 {1}</translation>
+    </message>
+    <message>
+      <source>the solver broke off: {1}</source>
+      <translation>求解器中断：{1}</translation>
+    </message>
+    <message>
+      <source>the start is free to twist</source>
+      <translation>起点可自由扭转</translation>
+    </message>
+    <message>
+      <source>the start of the cable</source>
+      <translation>线缆的起点</translation>
+    </message>
+    <message>
+      <source>the terminals are at the same point</source>
+      <translation>两个端子在同一点</translation>
+    </message>
+    <message>
+      <source>the tightest bend, {1} mm at {2} mm from the start, is tighter than the {3} mm that {4} allows ({5})</source>
+      <translation>最急的弯曲为 {1} mm，距起点 {2} mm，小于 {4} 所允许的 {3} mm（{5}）</translation>
+    </message>
+    <message>
+      <source>the way through its supports is {1}</source>
+      <translation>经过其支撑的路径为 {1}</translation>
+    </message>
+    <message>
+      <source>the way through the supports between them is {1}</source>
+      <translation>经过其间支撑的路径为 {1}</translation>
+    </message>
+    <message>
+      <source>there is no requirement</source>
+      <translation>没有要求</translation>
+    </message>
+    <message>
+      <source>they are {1} apart</source>
+      <translation>它们相距 {1}</translation>
+    </message>
+    <message>
+      <source>torsion</source>
+      <translation>扭转</translation>
+    </message>
+    <message>
+      <source>torsion: {1}</source>
+      <translation>扭转：{1}</translation>
+    </message>
+    <message>
+      <source>torsional</source>
+      <translation>扭转</translation>
+    </message>
+    <message>
+      <source>what the {1} stretches between clamps have to do with each other: each is solved alone (exact)</source>
+      <translation>夹具之间 {1} 段的相互影响：每段单独求解（精确）</translation>
+    </message>
+    <message>
+      <source>with this diameter, the mass means a density of {1} kg/m³, outside {2} to {3} kg/m³; check its unit and the diameter</source>
+      <translation>按此直径，质量意味着密度为 {1} kg/m³，超出 {2} 至 {3} kg/m³；请检查其单位和直径</translation>
+    </message>
+    <message>
+      <source>with this diameter, the {1} stiffness means a modulus of {2} Pa, outside {3} to {4} Pa; check its unit and the diameter</source>
+      <translation>按此直径，{1}刚度意味着模量为 {2} Pa，超出 {3} 至 {4} Pa；请检查其单位和直径</translation>
+    </message>
+    <message>
+      <source>{1} and the cable bends alike in all directions, so it carries no torque (exact)</source>
+      <translation>{1}，且线缆各方向弯曲性能相同，因此不承受扭矩（精确）</translation>
+    </message>
+    <message>
+      <source>{1} cannot be computed</source>
+      <translation>{1} 无法计算</translation>
+    </message>
+    <message>
+      <source>{1} cannot be drawn: {2}</source>
+      <translation>{1} 无法绘制：{2}</translation>
+    </message>
+    <message>
+      <source>{1} cannot be read as a table in UTF-8: {2}</source>
+      <translation>{1} 无法作为 UTF-8 表格读取：{2}</translation>
+    </message>
+    <message>
+      <source>{1} cannot be run while the document is recomputed</source>
+      <translation>{1} 在文档重新计算期间无法运行</translation>
+    </message>
+    <message>
+      <source>{1} cannot be written: {2}</source>
+      <translation>{1} 无法写入：{2}</translation>
+    </message>
+    <message>
+      <source>{1} contains {2}; refer to an edge, a face or an object inside it</source>
+      <translation>{1} 包含 {2}；请引用其中的边、面或对象</translation>
+    </message>
+    <message>
+      <source>{1} gives no direction for a cable; choose a circular edge, a flat or cylindrical face, a vertex, or an object with a placement such as a local coordinate system</source>
+      <translation>{1} 不能给出线缆的方向；请选择圆形边、平面或圆柱面、顶点，或带有位置的对象，如局部坐标系</translation>
+    </message>
+    <message>
+      <source>{1} has axes of its own; only a vertex takes a second entry</source>
+      <translation>{1} 自带坐标轴；只有顶点可以有第二项</translation>
+    </message>
+    <message>
+      <source>{1} in {2} elements</source>
+      <translation>{1}，{2} 个单元</translation>
+    </message>
+    <message>
+      <source>{1} is missing: the part has changed. Choose another</source>
+      <translation>{1} 不存在：零件已更改。请另选</translation>
+    </message>
+    <message>
+      <source>{1} is not inside {2}, where {3} is, so the one cannot follow the other. Put both into the same part or assembly</source>
+      <translation>{1} 不在 {3} 所在的 {2} 内，因此两者无法联动。请将两者放入同一零件或装配</translation>
+    </message>
+    <message>
+      <source>{1} is not inside {2}: it was deleted or moved. Choose another</source>
+      <translation>{1} 不在 {2} 内：它已被删除或移动。请另选</translation>
+    </message>
+    <message>
+      <source>{1} is not solved; recompute it</source>
+      <translation>{1} 未求解；请重新计算</translation>
+    </message>
+    <message>
+      <source>{1} is the {2} at which an equilibrium was found. At {3}: {4}</source>
+      <translation>{1} 是找到平衡的{2}长度。在 {3}：{4}</translation>
+    </message>
+    <message>
+      <source>{1} is the {2} that was tried</source>
+      <translation>{1} 是尝试过的{2}长度</translation>
+    </message>
+    <message>
+      <source>{1} of {2} cases hold</source>
+      <translation>{2} 个工况中有 {1} 个满足要求</translation>
+    </message>
+    <message>
+      <source>{1} of {2} stretches: unchanged since the last solution (exact)</source>
+      <translation>{2} 段中的 {1} 段：自上次求解以来未变（精确）</translation>
+    </message>
+    <message>
+      <source>{1} was stopped; the document is as it was</source>
+      <translation>{1} 已停止；文档保持原样</translation>
+    </message>
+    <message>
+      <source>{1} was stored by a later version of the Cable workbench; what this one does not know it leaves alone. Update the workbench</source>
+      <translation>{1} 由更新版本的 Cable 工作台保存；本版本不认识的内容将保持不变。请更新工作台</translation>
+    </message>
+    <message>
+      <source>{1}: only a placeholder; set what you know of this cable</source>
+      <translation>{1}：仅为占位值；请填入已知的线缆数据</translation>
+    </message>
+    <message>
+      <source>{1}; choose a cable type</source>
+      <translation>{1}；请选择线缆类型</translation>
+    </message>
+  </context>
+  <context>
     <name>Workbench</name>
     <message>
       <source>Cable</source>

@@ -9,6 +9,7 @@ without a translation; what the source no longer says is gone.
 import ast
 import importlib
 import os
+import runpy
 import shutil
 import subprocess
 import sys
@@ -26,6 +27,9 @@ OF_A_PROPERTY = "App::Property"
 """The context in which FreeCAD translates what the property editor says of a property."""
 
 
+SENTENCES = runpy.run_path(str(FOLDER / "sentences.py"))
+
+
 def source_strings():
     """(context, text) of all that a person reads in the window, sorted."""
     found = {("Workbench", "Cable")}
@@ -35,6 +39,7 @@ def source_strings():
     found.update(_of_properties())
     for page in (FOLDER.parent / "ui").glob("*.ui"):
         found.update(_of_page(ET.parse(page).getroot()))
+    found.update((SENTENCES["CONTEXT"], text) for text in SENTENCES["templates"](PACKAGE))
     return sorted(found)
 
 

@@ -18,7 +18,7 @@ UPDATE = runpy.run_path(str(FOLDER / "update.py"))
 LANGUAGE = "en"
 """The text that names the language of a page."""
 
-CHINESE = re.compile("[\u4e00-\u9fff]")
+CHINESE = re.compile("[\u3000-\u303f\u4e00-\u9fff\uff00-\uffef]")
 
 
 def fields(text):

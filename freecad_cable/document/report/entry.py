@@ -23,6 +23,7 @@ from ..proxy import proxy_of
 from ..read_held import read_held
 from ..reference import container
 from ..route import routed_scene
+from ..sentences import in_language
 from ..stiffness_band import band
 from ..stored_solution import nodes
 
@@ -131,11 +132,11 @@ def collect(doc) -> list[Entry]:
 def _entry(cable, near):
     out_of_date = translate("CableReport", "It is out of date; recompute the document.")
     if not cable.isValid() or not cable.SolvedInputs or cable.OutOfDate:
-        return Entry(cable, cable.Label, cable.Status or out_of_date)
+        return Entry(cable, cable.Label, in_language(cable.Status) or out_of_date)
     if "Touched" in cable.State:
         return Entry(cable, cable.Label, out_of_date)
     where = _placement(cable)
-    entry = Entry(cable, cable.Label, cable.Status, supports=_places(cable, where))
+    entry = Entry(cable, cable.Label, in_language(cable.Status), supports=_places(cable, where))
     if cable.BendRadiusMargin.Value != cable.SmallestBendRadius.Value:
         entry.allowed = cable.SmallestBendRadius.Value - cable.BendRadiusMargin.Value
         entry.relative_margin = cable.BendRadiusMargin.Value / entry.allowed
@@ -161,7 +162,7 @@ def _add_band(entry):
         said = translate(
             "CableReport", "Its shape at the bounds of its stiffness is not known: {error}"
         )
-        entry.doubts.append(said.format(error=error))
+        entry.doubts.append(said.format(error=in_language(str(error))))
     for bound in entry.band:
         if entry.allowed > bound.radius and entry.relative_margin >= 0:
             said = translate(
@@ -184,8 +185,8 @@ def _judge(entry):
     if not entry.allowed:
         said = translate("CableReport", "{type} has no smallest bend radius to compare with.")
         entry.doubts.append(said.format(type=kind.Label))
-    entry.doubts += cable.FormedPlaces
-    entry.doubts += [said.replace("Warning: ", "") for said in (*doubts(kind), *unknowns(kind))]
+    warnings = [said.replace("Warning: ", "") for said in (*doubts(kind), *unknowns(kind))]
+    entry.doubts += map(in_language, (*cable.FormedPlaces, *warnings))
 
 
 def _add_clearance(entry, rows):
@@ -196,7 +197,7 @@ def _add_clearance(entry, rows):
         other = row.other if row.cable == entry.label else row.cable
         if math.isnan(row.distance):
             said = translate("CableReport", "Its distance to {other} is not known: {reason}")
-            entry.doubts.append(said.format(other=other, reason=row.verdict))
+            entry.doubts.append(said.format(other=other, reason=in_language(row.verdict)))
             continue
         if row.distance < entry.clearance or not entry.nearest:
             entry.clearance, entry.nearest = min(row.distance, entry.clearance), other

@@ -6,6 +6,8 @@ from html import escape
 
 import FreeCAD
 
+from ..sentences import in_language
+
 translate = FreeCAD.Qt.translate
 
 TOLERANCES = ((300, 25), (1500, 50), (3000, 100), (7500, 150))
@@ -40,9 +42,9 @@ def types(entries):
     rows = []
     for kind in sorted(kinds, key=lambda kind: kind.Label):
         lines = "<br>".join(escape(line) for line in kind.Provenance)
+        section = escape(in_language(kind.Status))
         rows.append(
-            f'<tr><td>{escape(kind.Label)}</td><td class="text">{escape(kind.Status)}</td><td class="text">{lines}</td>'
-            "</tr>"
+            f'<tr><td>{escape(kind.Label)}</td><td class="text">{section}</td><td class="text">{lines}</td></tr>'
         )
     title = translate("CableReport", "Cable types")
     heads = (
@@ -172,7 +174,7 @@ def _loads(entry):
     cable = entry.cable
     contacts = zip(cable.ContactObstacles, cable.ContactPlaces, cable.ContactForces, strict=True)
     for name, place, force in contacts:
-        where = touching.format(obstacle=escape(name), place=_mm(place))
+        where = touching.format(obstacle=escape(in_language(name)), place=_mm(place))
         rows.append(
             f"<tr><td>{where}</td><td>{force.Length:.3g}</td><td>{_vector(force)}</td><td></td><td></td></tr>"
         )
@@ -185,6 +187,7 @@ def _model(entry):
     stays = yes if cable.Stable else f"<b>{no}</b>"
     balance = translate("CableReport", "to {residual}, relative")
     balance = balance.format(residual=f"{cable.BalanceResidual:.1g}")
+    model = [escape(in_language(line)) for line in cable.ModelUsed]
     yield translate("CableReport", "Cable type"), escape(cable.CableType.Label)
     yield translate("CableReport", "Mass"), f"{1e3 * cable.Mass:.2f} g"
     yield (
@@ -195,7 +198,7 @@ def _model(entry):
     yield translate("CableReport", "Error estimate"), f"{cable.ErrorEstimate.Value:.2g} mm"
     yield translate("CableReport", "Balance of forces and moments"), balance
     yield translate("CableReport", "Time of the solve"), f"{1e3 * cable.SolveTime:.0f} ms"
-    yield translate("CableReport", "Model"), "<br>".join(escape(line) for line in cable.ModelUsed)
+    yield translate("CableReport", "Model"), "<br>".join(model)
 
 
 def _pairs(pairs):

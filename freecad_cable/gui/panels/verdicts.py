@@ -8,6 +8,8 @@ import FreeCAD
 from FreeCAD import Units
 from PySide import QtCore, QtGui
 
+from ...document.sentences import in_language
+
 translate = FreeCAD.Qt.translate
 
 GOOD, DOUBTFUL, BAD, NEUTRAL = "#2e8b57", "#c17d11", "#cc0000", ""
@@ -48,7 +50,8 @@ class Said(QtGui.QLabel):
         self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
 
     def say(self, sentence, colour=NEUTRAL):
-        self.setText(_coloured(f"{SIGNS[colour]} {sentence}".strip(), colour))
+        """What the document says comes in English."""
+        self.setText(_coloured(f"{SIGNS[colour]} {in_language(sentence)}".strip(), colour))
 
 
 def rows(verdict, tolerance):
