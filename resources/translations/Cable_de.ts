@@ -52,6 +52,10 @@
       <translation>Geschlossene Skizze, die statt eines Kreises entlanggeführt wird: ihre x- und y-Achse drehen sich mit den Achsen des Querschnitts</translation>
     </message>
     <message>
+      <source>Colour the cable by how far its bend radius is above the limit: red below it, orange up to 10 % above, yellow at 50 %, green from 100 %</source>
+      <translation>Färbt das Kabel danach, wie weit sein Biegeradius über der Grenze liegt: rot darunter, orange bis 10 % darüber, gelb bei 50 %, grün ab 100 %</translation>
+    </message>
+    <message>
       <source>Compute shear also where the cable does not seem to need it</source>
       <translation>Schub auch berechnen, wo das Kabel ihn nicht zu brauchen scheint</translation>
     </message>
@@ -220,6 +224,14 @@
       <translation>Größte Länge, die Biegeradius und Freiraum einhält</translation>
     </message>
     <message>
+      <source>Mark the place with the smallest bend radius</source>
+      <translation>Markiert die Stelle mit dem kleinsten Biegeradius</translation>
+    </message>
+    <message>
+      <source>Mark the places where obstacles push the cable</source>
+      <translation>Markiert die Stellen, an denen Hindernisse das Kabel drücken</translation>
+    </message>
+    <message>
       <source>Mass of the cable, in kg</source>
       <translation>Masse des Kabels, in kg</translation>
     </message>
@@ -286,6 +298,10 @@
     <message>
       <source>Shortest length that keeps bend radius and clearance</source>
       <translation>Kürzeste Länge, die Biegeradius und Freiraum einhält</translation>
+    </message>
+    <message>
+      <source>Show what terminals and supports exert on the cable as arrows</source>
+      <translation>Zeigt als Pfeile, was Anschlüsse und Halterungen auf das Kabel ausüben</translation>
     </message>
     <message>
       <source>Smallest bend radius</source>

@@ -52,6 +52,10 @@
       <translation>代替圆形进行扫掠的封闭草图：其 x 和 y 轴随截面轴转动</translation>
     </message>
     <message>
+      <source>Colour the cable by how far its bend radius is above the limit: red below it, orange up to 10 % above, yellow at 50 %, green from 100 %</source>
+      <translation>按弯曲半径超出限值的程度为线缆着色：低于限值为红色，超出 10 % 以内为橙色，50 % 为黄色，100 % 起为绿色</translation>
+    </message>
+    <message>
       <source>Compute shear also where the cable does not seem to need it</source>
       <translation>即使线缆似乎不需要，也计算剪切</translation>
     </message>
@@ -220,6 +224,14 @@
       <translation>满足弯曲半径和间隙的最大长度</translation>
     </message>
     <message>
+      <source>Mark the place with the smallest bend radius</source>
+      <translation>标记弯曲半径最小处</translation>
+    </message>
+    <message>
+      <source>Mark the places where obstacles push the cable</source>
+      <translation>标记障碍物推压线缆处</translation>
+    </message>
+    <message>
       <source>Mass of the cable, in kg</source>
       <translation>线缆的质量，单位 kg</translation>
     </message>
@@ -286,6 +298,10 @@
     <message>
       <source>Shortest length that keeps bend radius and clearance</source>
       <translation>满足弯曲半径和间隙的最短长度</translation>
+    </message>
+    <message>
+      <source>Show what terminals and supports exert on the cable as arrows</source>
+      <translation>用箭头显示端子和支撑对线缆的作用</translation>
     </message>
     <message>
       <source>Smallest bend radius</source>

@@ -74,6 +74,9 @@ def _of_properties():
         kind = kinds.pop()
         kinds += kind.__subclasses__()
         yield from ((OF_A_PROPERTY, prop.text) for prop in kind.TABLE if not prop.hidden)
+    from freecad_cable.gui.views.cable import SHOWN
+
+    yield from ((OF_A_PROPERTY, text) for text in SHOWN.values())
 
 
 def _of_page(root):

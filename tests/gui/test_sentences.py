@@ -30,6 +30,10 @@ class GermanTest(WindowTest):
         self.kind.MinBendRadius = "200 mm"
         self.compute()
         self.open_panel(self.cable)
+        length = self.widget("Length").toolTip()
+        self.assertEqual(length, "Länge des unbelasteten Kabels")
+        marked = self.widget("ShowContacts").toolTip()
+        self.assertEqual(marked, "Markiert die Stellen, an denen Hindernisse das Kabel drücken")
         self.assertSaid("! Das Kabel ist im Gleichgewicht.", "Warnung: die engste Biegung, ")
         self.assertIn("Warning: the tightest bend, ", self.cable.Status)
         self.cable.Length = "100 mm"

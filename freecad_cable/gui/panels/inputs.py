@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Widgets that show a property and change it. An expression on it is shown in the widget, and can be made there."""
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
+
+of_property = FreeCAD.Qt.translate
+"""By another name, because the texts are found in the tables of the properties and not here."""
 
 STEPS = 1000
 """of a slider"""
@@ -15,7 +19,7 @@ class Input(QtCore.QObject):
         super().__init__(widget)
         self.obj, self.name, self.widget = obj, name, widget
         widget.setObjectName(name)
-        widget.setToolTip(obj.getDocumentationOfProperty(name))
+        widget.setToolTip(of_property("App::Property", obj.getDocumentationOfProperty(name)))
 
     def show(self):
         """From the document to the widget, without a word to the document."""
