@@ -12,6 +12,8 @@ SPACING = 0.25
 TIGHTEST = np.pi
 """Arc length, in radii, between parts that can touch: half a turn of a cable folded upon itself."""
 MOST = 20000
+FEW = 256
+"""Nodes up to which comparing all elements with each other takes less than the samples do."""
 APART = 10.0
 """Arc length, in radii, from which two places where it does count as two."""
 
@@ -22,7 +24,10 @@ def self_penetrations(arc_length, position, quaternion, radius, held=()):
 
     ``held``: nodes that are held. Where two of them are nearer than a diameter nothing keeps the cable out of itself
     there, and what is beside them is left out."""
-    curve = CubicHermiteSpline(arc_length, position, rotation.tangent(quaternion))
+    tangents = rotation.tangent(quaternion)
+    if len(position) <= FEW and not _comes_back(arc_length, position, tangents, radius):
+        return []
+    curve = CubicHermiteSpline(arc_length, position, tangents)
     count = int(min(MOST, np.ceil(arc_length[-1] / (SPACING * radius)))) + 1
     s = np.linspace(0, arc_length[-1], count)
     places = curve(s)
@@ -41,6 +46,31 @@ def self_penetrations(arc_length, position, quaternion, radius, held=()):
         found.append((float(depth[worst]), float(a[worst]), float(b[worst])))
         left &= np.maximum(np.abs(a - a[worst]), np.abs(b - b[worst])) > APART * radius
     return found
+
+
+def _comes_back(arc_length, position, tangents, radius) -> bool:
+    """Whether the cubics through the nodes may come within a diameter of each other, ``TIGHTEST`` apart or more; False
+    is exact.
+
+    Derivatives lie between three vectors of each element (those of its Bézier form). Where these turn from one to the
+    next by 2 θ in all, none is more than θ from the direction in their middle, along which the curve then advances by
+    its slowest speed times cos θ."""
+    steps = np.diff(arc_length)
+    chords = np.diff(position, axis=0) / steps[:, None]
+    legs = np.empty((2 * len(steps) + 1, 3))
+    legs[::2] = tangents
+    legs[1::2] = 3 * chords - tangents[1:] - tangents[:-1]
+    speed = np.maximum(np.linalg.norm(legs, axis=1), 1e-300)
+    legs /= speed[:, None]
+    cosines = np.einsum("ki,ki->k", legs[1:], legs[:-1])
+    turns = np.arccos(np.minimum(np.maximum(cosines, -1.0), 1.0))
+    turned = np.append(0.0, np.cumsum(turns))[::2]
+    straight = 2 * np.arccos(min(1.0, 2 / (TIGHTEST * speed.min())))
+    a, b = np.nonzero(turned[1:] - turned[:-1, None] > straight)
+    # Balls about the elements.
+    middles = (position[1:] + position[:-1] - steps[:, None] / 4 * np.diff(tangents, axis=0)) / 2
+    reach = speed.max() * steps / 2 + radius
+    return bool((np.linalg.norm(middles[a] - middles[b], axis=1) <= reach[a] + reach[b]).any())
 
 
 def excused_by(arc_length, position, radius):

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from freecad_cable.geometry import rotation
+from freecad_cable.geometry import rotation, self_contact
 from freecad_cable.geometry.self_contact import self_penetrations
 
 RADIUS = 0.01
@@ -49,3 +49,27 @@ def test_a_sharp_bend_is_no_contact():
     tangent = np.column_stack([-np.sin(angle), np.cos(angle), np.zeros_like(angle)])
     nodes = RADIUS * angle, position, frames(tangent)
     assert self_penetrations(*nodes, RADIUS) == []
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_what_cannot_come_back_is_not_in_itself(seed, monkeypatch):
+    """Whether elements are compared before samples are makes no difference: tangled curves, the radii just below and
+    above that at which they meet."""
+    draw = np.random.default_rng(seed)
+    s, waves = np.linspace(0, 1, draw.integers(6, 60)), draw.normal(size=(2, 3, 4))
+    turns = np.einsum("tcw,tsw->sc", waves, _waves(s)) * draw.uniform(0.5, 3)
+    tangent = np.column_stack([np.cos(turns[:, 0]), np.sin(turns[:, 0]), 0.3 * turns[:, 1]])
+    tangent /= np.linalg.norm(tangent, axis=1)[:, None]
+    middle = tangent[1:] + tangent[:-1]
+    position = np.vstack([np.zeros(3), np.cumsum(middle * np.diff(s)[:, None] / 2, axis=0)])
+    quaternion = frames(tangent)
+    for radius in np.geomspace(0.002, 0.2, 25):
+        found = self_penetrations(s, position, quaternion, radius)
+        monkeypatch.setattr(self_contact, "FEW", 0)
+        assert self_penetrations(s, position, quaternion, radius) == found
+        monkeypatch.undo()
+
+
+def _waves(s):
+    angles = np.pi * np.outer(s, np.arange(1, 5))
+    return np.stack([np.cos(angles), np.sin(angles)])
