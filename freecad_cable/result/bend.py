@@ -4,7 +4,8 @@
 import math
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+
+from ..geometry import cubic
 
 FINE = 16
 """Samples per element when looking for the tightest place."""
@@ -17,20 +18,13 @@ def smallest_bend_radius(arc_length, curvature, kinked=False):
     they follow a cubic spline; ``kinked``, where the curvature is bounded, straight lines, for beside a kink a
     spline overshoots.
     """
-    if kinked:
-        bend = np.linalg.norm(curvature[:, :2], axis=1)
-        return _radius(bend, arc_length)
-    share = np.arange(FINE) / FINE
-    s = np.append(
-        (arc_length[:-1, None] + np.diff(arc_length)[:, None] * share).ravel(), arc_length[-1]
-    )
-    bend = np.linalg.norm(CubicSpline(arc_length, curvature[:, :2])(s), axis=1)
-    return _radius(bend, s)
-
-
-def _radius(bend, s):
+    bends, samples = curvature[:, :2], 1
+    if not kinked:
+        bends, samples = cubic.between(arc_length, bends, FINE), FINE
+    bend = np.sqrt((bends**2).sum(axis=1))
     k = int(np.argmax(bend))
     # A bend over less than a millionth of a turn in the whole length is rounding, not a bend.
-    if bend[k] * (s[-1] - s[0]) < 1e-6:
-        return math.inf, float(s[0])
-    return float(1 / bend[k]), float(s[k])
+    if bend[k] * (arc_length[-1] - arc_length[0]) < 1e-6:
+        return math.inf, float(arc_length[0])
+    place = np.interp(k / samples, np.arange(len(arc_length)), arc_length)
+    return float(1 / bend[k]), float(place)
