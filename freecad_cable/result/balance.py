@@ -37,34 +37,30 @@ def balance(rod, weight, arc_length, position, quaternion, force, contact=None) 
         return None
     degree = min(5, (len(arc_length) - 1) | 1)
     degree = degree if degree < len(arc_length) else degree - 2
-    frames = make_interp_spline(arc_length, quaternion, k=degree)
-    places = make_interp_spline(arc_length, position, k=degree)
+    nodes = make_interp_spline(arc_length, np.hstack([quaternion, position]), k=degree)
     # Between the nodes as well: a shape that is right at the nodes only is not in balance.
     s = np.sort(np.concatenate([arc_length, (arc_length[1:] + arc_length[:-1]) / 2]))
-    q = frames(s)
+    found = nodes(s)
+    q, places = found[:, :4], found[:, 4:]
     norm = np.linalg.norm(q, axis=1)[:, None]
-    kappa = 2 * rotation.multiply(rotation.conjugate(q / norm), frames(s, 1) / norm)[:, 1:]
+    kappa = 2 * rotation.multiply(rotation.conjugate(q / norm), nodes(s, 1)[:, :4] / norm)[:, 1:]
     strain = kappa - rod.natural_curvature
-    moment = np.einsum("kij,kj->ki", rotation.matrix(q / norm), rod.stiffness * strain)
-    lever = places(s) - position[0]
-    hanging = places.antiderivative()(s) - np.outer(s, position[0])
-    hanging -= hanging[0]
-    weighed = rotation.cross(hanging, weight)
-    # m + lever × (n₀ − w s) + weighed = m₀, linear in n₀ and m₀.
+    gone, lever = (s - s[0])[:, None], places - position[0]
+    hanging = nodes.antiderivative()(s)[:, 4:]
+    hanging = hanging - hanging[0] - gone * position[0]
+    # m + lever × (n₀ − w s) + hanging × w = m₀, linear in n₀ and m₀.
     # Read as the strain that it would cause, so that a direction in which the rod is stiff, where the least
     # error of a frame is a large moment, does not drown the others.
-    known = moment - rotation.cross(lever, np.outer(s - s[0], weight)) + weighed
-    if contact is not None:
+    known = rotation.cross(hanging - gone * lever, weight)
+    if contact is not None and contact.any():
         # Every contact passed adds (r − its place) × its force to the moment.
         passed = np.clip(np.searchsorted(arc_length, s, "right") - 1, 0, None)
         sums = np.cumsum(contact, axis=0)[passed]
         turning = np.cumsum(rotation.cross(position, contact), axis=0)[passed]
-        known = known - rotation.cross(places(s), sums) + turning
-    matrix = np.concatenate(
-        [rotation.cross_matrix(lever), -np.tile(np.eye(3), (len(s), 1, 1))], axis=2
-    )
+        known = known - rotation.cross(places, sums) + turning
     soften = np.swapaxes(rotation.matrix(q / norm), 1, 2) / rod.stiffness[:, None]
-    matrix, known = soften @ matrix, np.einsum("kij,kj->ki", soften, known)
+    matrix = np.concatenate([soften @ rotation.cross_matrix(lever), -soften], axis=2)
+    known = strain + np.einsum("kij,kj->ki", soften, known)
     unknown = np.linalg.lstsq(matrix.reshape(-1, 6), -known.ravel(), rcond=1e-12)[0]
     residual = np.linalg.norm(matrix @ unknown + known, axis=1)
     length = arc_length[-1] - arc_length[0]
