@@ -7,6 +7,34 @@ from scipy.sparse import bmat, csc_matrix, identity
 from scipy.sparse.linalg import splu
 
 
+def solved(transfer, defects, first, last):
+    """Corrections (n+1, 12) of the nodes of a rod without joints, as a ``LinearProblem`` of its ``elements`` and its
+    ``ends`` has them, or None: a band with blocks in the same places, whichever rod it is."""
+    after, before = transfer
+    count, size, beside = len(after), 12 * (len(after) + 1), 17
+    width, diagonal = 3 * beside + 1, 2 * beside
+    band = np.zeros((size, width))  # a column of the matrix in each row
+
+    def blocks(row, column, height, number=1):
+        """(number, 12, height) transposed blocks from ``row`` and ``column`` on, each 12 farther than the last."""
+        begin, strides = column * (width - 1) + row + diagonal, (96 * width, 8 * width - 8, 8)
+        return np.ndarray((number, 12, height), float, band, 8 * begin, strides)
+
+    blocks(6, 0, 12, count)[:] = -before.swapaxes(1, 2)
+    blocks(6, 12, 12, count)[:] = after.swapaxes(1, 2)
+    blocks(0, 0, 6)[:] = first[0].T
+    blocks(size - 6, size - 12, 6)[:] = last[0].T
+    defects = (after @ defects[:, :, None]).ravel()
+    right = np.concatenate([first[1], -defects, last[1]])
+    *_, found, singular = dgbsv(beside, beside, band.T, right, overwrite_ab=1)
+    return None if singular or _runaway(found, right) else found.reshape(-1, 12)
+
+
+def _runaway(found, right):
+    """Whether a correction says that the matrix is singular but for rounding."""
+    return not np.abs(found).max() < 1e6 * np.abs(right).max() + 1e-300
+
+
 class LinearProblem:
     """Unknowns: 12 a node, the nodes of one stretch after those of the other (a joint twice), then single ones. Near
     each other along the rod they make a band; what all elements share and as many rows make its border."""
@@ -85,7 +113,7 @@ class LinearProblem:
         rows, cols = np.argsort(row_order)[rows], np.argsort(col_order)[cols]
         right = right[row_order]
         ordered = _banded(rows, cols, data, right, np.isfinite(self.at_cols).sum())
-        if ordered is None or not np.abs(ordered).max() < 1e6 * np.abs(right).max() + 1e-300:
+        if ordered is None or _runaway(ordered, right):
             ordered = _shortest(csc_matrix((data, (rows, cols))), right)
         answer = np.empty(self.size)
         answer[col_order] = ordered

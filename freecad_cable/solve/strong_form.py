@@ -13,7 +13,7 @@ import numpy as np
 from ..geometry import rotation
 from . import joints
 from .law import Law
-from .linear import LinearProblem
+from .linear import LinearProblem, solved
 
 LAYERS = 2.0
 """Longest element in bending layers: Runge–Kutta steps of half a layer, far from the end of their stability."""
@@ -47,6 +47,9 @@ def correction(shape, values, structure) -> np.ndarray:
     last_rows = _end_rows(structure.end, last[3:7], last[7:10], last[10:])
     if structure.rolls:
         first_rows = _fix_roll(first_rows, first[3:7])
+    found = None if shape.joints else solved(transfer, defects, first_rows, last_rows)
+    if found is not None:
+        return found[given[0]]
     linear = LinearProblem([len(part.steps) for part in parts])
     linear.elements(transfer, defects)
     linear.ends(first_rows, last_rows)
@@ -69,6 +72,8 @@ def _resolving(shape, compliance):
     tension = np.linalg.norm(shape.force, axis=1)
     tension = np.maximum(tension[1:], tension[:-1])
     parts = shape.steps * np.sqrt(tension * compliance[:2].max()) / LAYERS
+    if parts.max() <= 1:
+        return shape.arc_length, np.arange(len(shape.arc_length))
     parts = np.clip(np.ceil(parts), 1, MOST_PARTS).astype(int)
     given = np.concatenate([[0], np.cumsum(parts)])
     element = np.repeat(np.arange(len(parts)), parts)
@@ -79,14 +84,14 @@ def _resolving(shape, compliance):
 def _end_rows(kind, quaternion, force, moment):
     """(matrix (6, 12), values (6,)) of the conditions that an end puts on a correction."""
     eye = np.eye(12)
+    if kind == "clamped":
+        return eye[:6], np.zeros(6)
     frame = rotation.matrix(quaternion).T
     held, zero = eye[0:3], np.zeros(3)
-    if kind == "clamped":
-        return np.vstack([held, eye[3:6]]), np.zeros(6)
     if kind == "pinned":
         return np.vstack([held, eye[9:12]]), np.append(zero, -moment)
     if kind == "free":
-        return np.vstack([eye[6:9], eye[9:12]]), np.append(-force, -moment)
+        return eye[6:], np.append(-force, -moment)
     turn, torque = np.zeros((2, 12)), np.zeros((1, 12))
     turn[:, 3:6] = frame[:2]
     torque[0, 9:12] = frame[2]
