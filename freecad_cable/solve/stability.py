@@ -31,31 +31,29 @@ def proven(nlp: Nlp, x, parameters, multipliers, acting) -> bool:
     hold; the others are bounds that do not act."""
     if nlp.structure.links:
         return False
-    scale = _scale(nlp, parameters)
     weights = np.where(acting, PENALTY, 0.0)
     # Next states in their own scale: the gap of a soft strain counts as much as that of a stiff one.
     rows = nlp.gaps[:, None] + np.arange(nlp.states.shape[1])
-    weights[rows] /= scale[nlp.states[1:]] ** 2
-    evaluate, (above, column), width = _penalised(nlp.structure)
-    (values,) = evaluate(x, parameters, multipliers, weights, scale)
-    band = np.zeros((width, len(x)))
-    band[above, column] = values
-    return dpbtrf(band, lower=1, overwrite_ab=1)[1] == 0
+    weights[rows] /= _scale(nlp, parameters)[nlp.states[1:]] ** 2
+    evaluate, places, width = _penalised(nlp.structure)
+    band = np.zeros((len(x), width))
+    (band.reshape(-1)[places],) = evaluate(x, parameters, multipliers, weights)
+    return dpbtrf(band.T, lower=1, overwrite_ab=1)[1] == 0
 
 
 @lru_cache(maxsize=64)
 def _penalised(structure):
-    """Function (x, p, λ, weights of rows, scale of variables) → nonzeros of the lower triangle of the Hessian of the
-    Lagrangian with a penalty on rows, where they go in a band, and its width."""
+    """Function (x, p, λ, weights of rows) → nonzeros of the lower triangle of the Hessian of the
+    Lagrangian with a penalty on rows, where they go in a band, column by column, and its width."""
     nlp = build(structure)
     factor, lam = nlp.multipliers
-    weights, scale = ca.MX.sym("w", lam.shape), ca.MX.sym("s", nlp.x.shape)
+    weights = ca.MX.sym("w", lam.shape)
     matrix = nlp.hessian + nlp.jacobian.T @ ca.diag(weights) @ nlp.jacobian
     matrix = ca.substitute(ca.tril(matrix), factor, 1)
     rows, columns = (np.array(index) for index in matrix.sparsity().get_triplet())
-    values = scale[rows.tolist()] * matrix.nz[:] * scale[columns.tolist()]
-    function = ca.Function("penalised", [nlp.x, nlp.p, lam, weights, scale], [values])
-    return Numeric(function), (rows - columns, columns), int((rows - columns).max()) + 1
+    function = ca.Function("penalised", [nlp.x, nlp.p, lam, weights], [matrix.nz[:]])
+    width = int((rows - columns).max()) + 1
+    return Numeric(function), width * columns + rows - columns, width
 
 
 def _scale(nlp, parameters):
