@@ -180,14 +180,14 @@ def _nodes(solution, problem):
     if solution.position is None or not is_near(solution, scene):
         return None
     span = solution.arc_length[-1]
-    frames = rotation.matrix(solution.quaternion)
 
     def strain(curvature):
         return np.concatenate([curvature * span, np.zeros_like(curvature)], axis=-1)
 
     joints = []
     for node, load in zip(solution.support_nodes, solution.support_reactions, strict=True):
-        moment = frames[node].T @ (solution.moment[node] - load.moment)
+        frame = rotation.matrix(solution.quaternion[node])
+        moment = frame.T @ (solution.moment[node] - load.moment)
         beyond = scene.rod.natural_curvature + moment / scene.rod.stiffness
         force, turning = load.force / scaling.force, load.moment / scaling.energy
         joints.append(Joint(node, strain(beyond), force, turning))

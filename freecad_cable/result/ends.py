@@ -15,11 +15,11 @@ def end_violation(scene, position, quaternion) -> float:
     for end, node in ((scene.start, 0), (scene.end, -1)):
         if isinstance(end, Pinned):
             found.append(np.linalg.norm(position[node] - end.position) / scene.rod.length)
-        frame = rotation.matrix(quaternion[node])
         if isinstance(end, Swivel):
-            found.append(np.linalg.norm(frame[:, 2] - end.tangent))
+            found.append(np.linalg.norm(rotation.tangent(quaternion[node]) - end.tangent))
         if isinstance(end, Clamped):
-            found.append(np.abs(frame - rotation.matrix(end.quaternion)).max())
+            frames = rotation.matrix(np.stack([quaternion[node], end.quaternion]))
+            found.append(np.abs(frames[0] - frames[1]).max())
     return float(max(found))
 
 
@@ -27,6 +27,8 @@ def support_violation(scene, nodes, arc_length, position, quaternion) -> float:
     """Largest violation of a support at ``nodes``, as above; given arc lengths relative to the length too. Infinite
     where the supports are not in order along the cable."""
     found, length = [0.0], scene.rod.length
+    if not nodes:
+        return 0.0
     if (np.diff(arc_length[[0, *nodes, -1]]) <= 0).any():
         return float("inf")
     for support, node in zip(scene.supports, nodes, strict=True):

@@ -26,8 +26,7 @@ def is_near(solution, scene) -> bool:
     if not all(_holds_nearly(holder, solution, node, length) for holder, node in held):
         return False
     # The old moments must be nearly those of this rod, or stiffness has changed by more than a start can bear.
-    frames = rotation.matrix(solution.quaternion)
-    moment = np.einsum("kij,ki->kj", frames, solution.moment)
+    moment = np.einsum("kij,ki->kj", rotation.matrix(solution.quaternion), solution.moment)
     ours = scene.rod.stiffness * (solution.curvature - scene.rod.natural_curvature)
     return bool(np.abs(moment - ours).max() <= 0.5 * np.abs(ours).max())
 
@@ -42,10 +41,10 @@ def _holds_nearly(holder, solution, node, length) -> bool:
         moved -= holder.radius / length
     if isinstance(holder, Support) and not holder.slides:
         moved = max(moved, abs(solution.arc_length[node] - holder.arc_length) / length)
-    tangent, turned = orientation(holder), 0.0
-    if tangent is not None:
-        turned = np.arccos(np.clip(rotation.tangent(quaternion) @ tangent, -1.0, 1.0))
+    turned = 0.0
     if isinstance(holder, (Clamped, Clamp)):
-        turn = rotation.multiply(rotation.conjugate(holder.quaternion), quaternion)
-        turned = 2 * np.arccos(min(1.0, abs(turn[0])))
+        # The real part of the turn from one frame to the other.
+        turned = 2 * np.arccos(min(1.0, abs(holder.quaternion @ quaternion)))
+    elif (tangent := orientation(holder)) is not None:
+        turned = np.arccos(np.clip(rotation.tangent(quaternion) @ tangent, -1.0, 1.0))
     return moved <= NEAR and turned <= np.pi * NEAR

@@ -152,15 +152,16 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
         success, x, multipliers = asked(x0, parameters, multipliers)
     else:
         form = yielding(nlp.structure)
+        units = form.units(parameters)
         if multipliers.any():
             multipliers = multipliers.copy()
             multipliers[form.rows] = form.prices(x0, parameters, multipliers)
-        begun = form.start(x0, multipliers, parameters)
+        begun = form.start(x0, multipliers, units)
         for rigidity in RIGID:
-            success, found, known = _held(form, asked, parameters, *begun, rigidity)
+            success, found, known = _held(form, asked, parameters, units, *begun, rigidity)
             if success:
                 break
-        x, multipliers = form.read(found, known, parameters)
+        x, multipliers = form.read(found, known, units)
     return RawSolution(
         x=x,
         multipliers=multipliers,
@@ -171,11 +172,11 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
     )
 
 
-def _held(form, asked, parameters, found, known, rigidity):
+def _held(form, asked, parameters, units, found, known, rigidity):
     """(success, decision vector, multipliers) of a yielding program, asked until next to nothing yields."""
     before = np.inf
     for _ in range(1 + CORRECTIONS):
-        given = form.parameters(parameters, known, rigidity)
+        given = form.parameters(parameters, known, units, rigidity)
         success, found, known = asked(found, given, known)
         left = np.abs(found[form.yields]).max(initial=0.0)
         if not success or left < EXACT:

@@ -49,10 +49,11 @@ class Touches:
     @classmethod
     def of(cls, shape, links, push) -> "Touches":
         """``push`` (k,) of all links, 0 of those that do not act; ``links`` None if there are none."""
+        if links is None:
+            return NOWHERE
         acting = np.flatnonzero(push)
-        pairs = np.array(links.pairs if links else (), int).reshape(-1, 2)[acting]
-        nodes, elements = pairs.T
-        given = links.parameters[acting] if links else np.zeros((0, contact.LINK_PARAMETERS))
+        nodes, elements = np.array(links.pairs, int)[acting].T
+        given = links.parameters[acting]
         share, r = given[:, -1], shape.position
         away = r[nodes] - _between(r, elements, share)
         return cls(
@@ -68,6 +69,8 @@ class Touches:
     def on_nodes(self, count):
         """(count, 3) on each node; what acts on an element is shared by its nodes."""
         total, share = np.zeros((count, 3)), self.share[:, None]
+        if not len(self.nodes):
+            return total
         np.add.at(total, self.nodes, self.forces)
         np.add.at(total, self.elements, -(1 - share) * self.forces)
         np.add.at(total, self.elements + 1, -share * self.forces)
@@ -79,6 +82,9 @@ class Touches:
         parted |= np.abs(np.diff(self.there)) > 4 * (np.diff(self.here) + radius)
         found = np.split(np.arange(len(self.nodes)), np.flatnonzero(parted) + 1)
         return [place for place in found if len(place)]
+
+
+NOWHERE = Touches(*np.zeros((2, 0), int), *np.zeros((3, 0)), np.zeros((0, 3)), np.zeros(0))
 
 
 class Own:

@@ -88,11 +88,13 @@ class Trial:
     @cached_property
     def acting(self) -> np.ndarray:
         """(rows,) whether a row holds: an equation, or a bound that pushes harder than it is far."""
+        if self.nlp.equality.all():
+            return self.nlp.equality
         (left,) = self.nlp.rows_function(self.raw.x, self.parameters)
         push = -self.raw.multipliers
         return self.nlp.equality | ((push > ACTING) & (push > left))
 
-    @property
+    @cached_property
     def frames(self) -> np.ndarray:
         """(n+1, 3, 3) material frames, d1 d2 d3 as columns"""
         return rotation.matrix(self.shape.quaternion)
@@ -118,10 +120,10 @@ class Trial:
     def contact_forces(self) -> np.ndarray:
         """(n+1, contacts, 3) what the feature of each contact row exerts on each node, without units."""
         rows, features = self.nlp.contact_rows, self.values["features"]
-        push = np.where((rows >= 0) & self.acting[rows], -self.raw.multipliers[rows], 0.0)
         nodes = self.shape.position
         if not rows.shape[1]:
             return np.zeros((len(nodes), 0, 3))
+        push = np.where((rows >= 0) & self.acting[rows], -self.raw.multipliers[rows], 0.0)
         slopes = [contact.slope(nodes, features[:, i]) for i in range(rows.shape[1])]
         return push[..., None] * np.stack(slopes, axis=1)
 
@@ -129,6 +131,8 @@ class Trial:
     def slipped(self) -> tuple[int, ...]:
         """Supports that have slid as near to what is beside them as the program allows: no equilibrium."""
         structure = self.nlp.structure
+        if not structure.slides:
+            return ()
         ends = self.shape.arc_length[structure.ends]
         short = np.diff(ends) < (1 + 1e-3) * SHORTEST
         return tuple(int(j) for j in np.flatnonzero(structure.sliding) if short[j : j + 2].any())

@@ -109,23 +109,21 @@ class YieldingProgram:
             bent={"grad_gamma_x": ca.MX(self.size, 1), "hess_gamma_x_x": hessian},
         )
 
-    def start(self, x, multipliers, parameters):
+    def start(self, x, multipliers, units):
         """(decision vector without yields, multipliers) from those of the ``Nlp``."""
-        units, found = self._units(parameters), np.zeros(self.size)
+        found = np.zeros(self.size)
         found[self.own] = x / units[self._strain]
         return found, multipliers * units[self._carried]
 
-    def read(self, found, multipliers, parameters):
+    def read(self, found, multipliers, units):
         """(decision vector, multipliers) of the ``Nlp``."""
-        units = self._units(parameters)
         return found[self.own] * units[self._strain], multipliers / units[self._carried]
 
-    def parameters(self, given, multipliers, rigidity) -> np.ndarray:
+    def parameters(self, given, multipliers, units, rigidity) -> np.ndarray:
         """Parameters of this program from those of the ``Nlp``, multipliers whose yields are to vanish, and ρ."""
-        units = self._units(given)[1:]
-        return np.concatenate([given, multipliers[self.rows], units, [rigidity]])
+        return np.concatenate([given, multipliers[self.rows], units[1:], [rigidity]])
 
-    def _units(self, parameters):
+    def units(self, parameters) -> np.ndarray:
         """Of positions and of strains: 1/√stiffness up to a power of two, with which nothing is rounded."""
         return np.append(1.0, np.exp2(np.rint(-np.log2(parameters[self._kept]) / 2)))
 

@@ -10,29 +10,25 @@ from .shape import Joint, Shape
 
 def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
     """Decision vector of a shape whose nodes are the program's."""
-    structure = nlp.structure
-    kept = list(structure.strains)
-    strain = shape.strain[:, kept]
-    nodes = [shape.position, shape.quaternion]
-    continuous = SCHEMES[structure.scheme].STRAIN_IS_STATE
-    if continuous:
+    structure, numbers = nlp.structure, nlp.numbers
+    kept, joints = list(structure.strains), list(structure.joints)
+    nodes, x = [shape.position, shape.quaternion], np.empty(numbers.size)
+    if numbers.continuous:
+        strain = shape.strain[:, kept]
         nodes.append(strain)
-        controls = list(strain[1:])
+        x[numbers.last] = strain[1:]
+        for joint in shape.joints:
+            x[numbers.first[joint.node]] = joint.strain[kept]
     else:
-        controls = list(_element_strains(shape)[:, kept])
-    places = shape.arc_length[structure.ends]
+        x[numbers.first] = _element_strains(shape)[:, kept]
     if structure.slides:
-        stretch = np.searchsorted(structure.joints, np.arange(structure.elements + 1), "left")
-        nodes += [np.diff(places)[stretch][:, None], places[stretch][:, None]]
-    for j, joint in enumerate(shape.joints):
-        first = joint.strain[kept]
-        if not continuous:
-            first = first[:0]
-        length = np.diff(places)[j + 1 : j + 2] if structure.slides else first[:0]
-        controls[joint.node] = np.concatenate([first, controls[joint.node], length])
-    nodes = np.hstack(nodes)
-    stages = [part for pair in zip(nodes, controls, strict=False) for part in pair]
-    return np.concatenate([*stages, nodes[-1]])
+        places = shape.arc_length[structure.ends]
+        lengths = np.diff(places)
+        stretch = np.searchsorted(joints, np.arange(structure.elements + 1), "left")
+        nodes += [lengths[stretch][:, None], places[stretch][:, None]]
+        x[numbers.stretch[joints]] = lengths[1:]
+    x[numbers.states] = np.hstack(nodes)
+    return x
 
 
 def _element_strains(shape):
@@ -52,14 +48,13 @@ def multipliers(nlp: Nlp, shape: Shape, weight) -> np.ndarray:
     lam = np.zeros(len(nlp.equality))
     if shape.force is None:
         return lam
-    spins = _spins(shape.quaternion)
-    along = np.diff(shape.position, axis=0)
-    frames = rotation.matrix(shape.quaternion[:-1])
-    along = along - np.einsum("kji,kj->ki", frames, along)
-    pulled = 2 * (along * shape.force[1:]).sum(axis=1) + shape.steps * (along @ weight)
-    norm = np.append(np.cumsum(pulled[::-1])[::-1], 0.0)
-    turning = 2 * np.einsum("ki,kij->kj", shape.moment, spins) + norm[:, None] * shape.quaternion
-    lam[nlp.gaps[:, None] + np.arange(7)] = np.hstack([shape.force, turning])[1:]
+    along = shape.position[1:] - shape.position[:-1]
+    along = along - np.einsum("kji,kj->ki", rotation.matrix(shape.quaternion[:-1]), along)
+    pulling = 2 * shape.force[1:] + shape.steps[:, None] * weight
+    norm = np.append(np.cumsum(np.einsum("ki,ki->k", along, pulling)[::-1])[-2::-1], 0.0)[:, None]
+    quaternion = shape.quaternion[1:]
+    turning = rotation.multiply(_pure(2 * shape.moment[1:]), quaternion) + norm * quaternion
+    lam[nlp.carried] = np.hstack([shape.force[1:], turning])
     return lam
 
 
@@ -85,21 +80,21 @@ def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
     """Nodes, internal forces and moments of a solved program.
 
     With the gap r_{k+1} − F, its multipliers are the internal force n at node k+1, and, as a turn δφ changes a
-    quaternion by ½ δφ ∘ q, the moment is m·e = ½ λ·(e ∘ q). At the first node of a stretch both follow from the
-    balance of its first element. Curvature at the nodes is that of the moment there (Rᵀm = K(κ − κ⁰)).
+    quaternion by ½ δφ ∘ q, the moment is m·e = ½ λ·(e ∘ q) = ½ (λ ∘ q⁻¹)·e. At the first node of a stretch both follow
+    from the balance of its first element. Curvature at the nodes is that of the moment there (Rᵀm = K(κ − κ⁰)).
     """
     structure = nlp.structure
     parameters = pack(structure, values, steps)
     arc_length, position, quaternion = places(nlp, steps, x)
     weight = values["weight"]
-    gap = lam[np.array(nlp.gaps)[:, None] + np.arange(7)]
-    force = np.vstack([np.zeros(3), gap[:, :3]])
-    moment = np.einsum("kij,kj->ki", _spins(quaternion[1:]), gap[:, 3:]) / 2
-    moment = np.vstack([np.zeros(3), moment])
-    firsts = [0, *structure.joints]
-    lengths = np.diff(arc_length)[firsts][:, None]
+    gap = lam[nlp.carried]
+    force, moment = np.zeros((2, len(position), 3))
+    force[1:] = gap[:, :3]
+    moment[1:] = rotation.multiply(gap[:, 3:], rotation.conjugate(quaternion[1:]))[:, 1:] / 2
+    firsts = np.array([0, *structure.joints])
+    beyond = firsts + 1
+    lengths = (arc_length[beyond] - arc_length[firsts])[:, None]
     means = nlp.mean_function(x, parameters)[0].reshape(3, -1).T
-    beyond = [node + 1 for node in firsts]
     leaving = force[beyond] + lengths * weight
     turning = (
         moment[beyond]
@@ -107,11 +102,12 @@ def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
         + rotation.cross(means, weight) * lengths
     )
     force[0], moment[0] = leaving[0], turning[0]
-    strain = strains(structure, values, quaternion, force, moment)
-    after = strains(structure, values, quaternion[firsts], leaving, turning)
     if structure.bend_limit:
         # Where the limit acts, the moment no longer tells the curvature.
         strain, after = _read_strains(nlp, values, x)
+    else:
+        strain = strains(structure, values, quaternion, force, moment)
+        after = strains(structure, values, quaternion[firsts], leaving, turning)
     joints = tuple(
         Joint(node, after[j], force[node] - leaving[j], moment[node] - turning[j])
         for j, node in enumerate(structure.joints, start=1)
@@ -138,24 +134,16 @@ def _read_strains(nlp, values, x):
 
 def strains(structure, values, quaternion, force, moment) -> np.ndarray:
     """(n+1, 6) strains that belong to internal forces and moments; natural where the model keeps none."""
-    frames = rotation.matrix(quaternion)
-    loads = np.hstack(
-        [np.einsum("kij,ki->kj", frames, moment), np.einsum("kij,ki->kj", frames, force)]
-    )
-    result = np.tile(np.append(values["natural"], np.zeros(3)), (len(loads), 1))
-    kept = list(structure.strains)
+    loads = np.stack([moment, force], axis=1) @ rotation.matrix(quaternion)
+    loads, kept = loads.reshape(-1, 6), list(structure.strains)
+    result = np.zeros_like(loads)
+    result[:, :3] = values["natural"]
     result[:, kept] += loads[:, kept] / values["stiffness"][kept]
     return result
 
 
-def _spins(quaternion):
-    """(n, 3, 4) rows e_i ∘ q."""
-    w, x, y, z = quaternion.T
-    return np.stack(
-        [
-            np.stack([-x, w, -z, y], axis=-1),
-            np.stack([-y, z, w, -x], axis=-1),
-            np.stack([-z, -y, x, w], axis=-1),
-        ],
-        axis=1,
-    )
+def _pure(vectors):
+    """(n, 4) quaternions without a real part."""
+    found = np.zeros((len(vectors), 4))
+    found[:, 1:] = vectors
+    return found

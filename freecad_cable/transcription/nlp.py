@@ -90,6 +90,11 @@ class Nlp:
         nx, _, ng = zip(*self.stage_sizes, strict=True)
         return np.concatenate([[0], np.cumsum(np.append(nx[1:], 0) + ng)])
 
+    @cached_property
+    def carried(self) -> np.ndarray:
+        """(n, 7) rows in which position and quaternion go from a node to the next"""
+        return self.gaps[:, None] + np.arange(7)
+
     @property
     def states(self) -> np.ndarray:
         """(n+1, nx) indices into x"""

@@ -2,6 +2,7 @@
 """A rod's nodes without units: what guesses, solutions and meshes hand to each other."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -58,7 +59,7 @@ class Shape:
         strain = np.hstack([nodes, np.zeros_like(nodes)])
         return cls(arc_length, position, quaternion, strain, joints=tuple(beyond))
 
-    @property
+    @cached_property
     def steps(self) -> np.ndarray:
         """(n,) element lengths"""
         return np.diff(self.arc_length)

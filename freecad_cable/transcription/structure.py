@@ -2,6 +2,7 @@
 """What makes two problems share one built solver: everything that is not a number."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -36,7 +37,7 @@ class Structure:
     def elements(self) -> int:
         return sum(self.stretches)
 
-    @property
+    @cached_property
     def joints(self) -> tuple[int, ...]:
         """Nodes of the supports."""
         return tuple(int(node) for node in np.cumsum(self.stretches)[:-1])

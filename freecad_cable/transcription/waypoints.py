@@ -58,6 +58,8 @@ def breaks(scene: Scene, scaling: Scaling) -> tuple[float, ...]:
 
 def _spread(places, positions):
     """Arc lengths for those that slide (NaN), in proportion to the distances between them."""
+    if np.isfinite(places).all():
+        return places
     chords = np.linalg.norm(np.diff(positions, axis=0), axis=1)
     chords = np.maximum(chords, CLOSEST * chords.sum() + 1e-9)
     way = np.concatenate([[0.0], np.cumsum(chords)])
