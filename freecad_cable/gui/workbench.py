@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench. FreeCAD imports this file at every start, so it brings in nothing heavy."""
 
-import os
-
 import FreeCADGui
 
 from ..document import view_hook
@@ -10,8 +8,9 @@ from .icons import FOLDER, icon
 
 
 def _attach(obj):
-    from . import views
+    from . import language, views
 
+    language.install()
     views.attach(obj)
 
 
@@ -28,11 +27,11 @@ class CableWorkbench(FreeCADGui.Workbench):
 
     def Initialize(self):
         """FreeCAD calls this when the workbench is first used."""
+        from . import language
         from .commands import COMMANDS
         from .preferences import PAGE
 
-        FreeCADGui.addLanguagePath(os.path.abspath(os.path.join(FOLDER, "..", "translations")))
-        FreeCADGui.updateLocale()
+        language.install()
         FreeCADGui.addIconPath(FOLDER)
         FreeCADGui.addPreferencePage(PAGE, "Cable")
         for name, command in COMMANDS.items():

@@ -6,10 +6,14 @@ import runpy
 import string
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
+
+from freecad_cable.document import make
+from freecad_cable.gui.language import install
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
 
@@ -60,6 +64,20 @@ class TranslationTest(unittest.TestCase):
             self.assertTrue(translator.load(str(path.with_suffix(".qm"))))
             for (context, text), translation in UPDATE["translations"](path).items():
                 self.assertEqual(translator.translate(context, text), translation)
+
+    def test_whoever_opens_a_document_need_not_use_the_workbench(self):
+        document = FreeCAD.newDocument()
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        install.cache_clear()
+        with (
+            mock.patch.object(FreeCADGui, "addLanguagePath") as added,
+            mock.patch.object(FreeCADGui, "updateLocale") as updated,
+        ):
+            for _ in range(2):
+                make.cable_type(document, "Some cable")
+        (place,) = (call.args[0] for call in added.call_args_list)
+        self.assertEqual(Path(place).resolve(), FOLDER)
+        updated.assert_called_once()
 
     def test_the_window_speaks_it(self):
         self.addCleanup(FreeCADGui.setLocale, "en")
