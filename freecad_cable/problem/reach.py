@@ -136,6 +136,8 @@ def _check_between(held, scene):
 def _check_tail(held, there):
     """Sliding supports between the last station (the first from here with an arc length) and a free end of the cable,
     ``there`` [m] of cable away from it."""
+    if len(held) < 2:
+        return
     needed = shortest_way(held)
     if there < needed:
         raise ProblemError(

@@ -31,11 +31,10 @@ def proven(nlp: Nlp, x, parameters, multipliers, acting) -> bool:
     hold; the others are bounds that do not act."""
     if nlp.structure.links:
         return False
-    weights = np.where(acting, PENALTY, 0.0)
-    # Next states in their own scale: the gap of a soft strain counts as much as that of a stiff one.
-    rows = nlp.gaps[:, None] + np.arange(nlp.states.shape[1])
-    weights[rows] /= _scale(nlp, parameters)[nlp.states[1:]] ** 2
     evaluate, places, width = _penalised(nlp.structure)
+    # Next states in their own scale: the gap of a soft strain counts as much as that of a stiff one.
+    stiffness = parameters[list(nlp.structure.strains)]
+    weights = np.where(acting, PENALTY, 0.0) * np.append(1.0, stiffness)[nlp.strains_carried]
     band = np.zeros((len(x), width))
     (band.reshape(-1)[places],) = evaluate(x, parameters, multipliers, weights)
     return dpbtrf(band.T, lower=1, overwrite_ab=1)[1] == 0
@@ -43,8 +42,8 @@ def proven(nlp: Nlp, x, parameters, multipliers, acting) -> bool:
 
 @lru_cache(maxsize=64)
 def _penalised(structure):
-    """Function (x, p, λ, weights of rows) → nonzeros of the lower triangle of the Hessian of the
-    Lagrangian with a penalty on rows, where they go in a band, column by column, and its width."""
+    """Function (x, p, λ, weights of rows) → nonzeros of the lower triangle of the Hessian of the Lagrangian with a
+    penalty on rows, where they go in a band, column by column, and its width."""
     nlp = build(structure)
     factor, lam = nlp.multipliers
     weights = ca.MX.sym("w", lam.shape)

@@ -37,7 +37,7 @@ def correction(shape, values, structure) -> np.ndarray:
     states = [
         np.hstack([part.position, part.quaternion, part.force, part.moment]) for part in parts
     ]
-    before, after = (np.vstack([y[cut] for y in states]) for cut in (np.s_[:-1], np.s_[1:]))
+    before, after = (np.concatenate([y[cut] for y in states]) for cut in (np.s_[:-1], np.s_[1:]))
     steps = np.concatenate([part.steps for part in parts])
     transfer, defects = law.elements(before, after, steps)
     if not np.isfinite(defects).all():

@@ -278,7 +278,8 @@ class Problem:
             self.iterations += raw.iterations
             self.solve_time += raw.time
             if raw.success:
-                shape = layout.shape_of(nlp, values, start.steps, raw.x, raw.multipliers)
+                found = raw.x, raw.multipliers
+                shape = layout.shape_of(nlp, values, parameters, start.steps, *found)
                 return Trial(nlp, values, parameters, raw, shape)
         return None
 

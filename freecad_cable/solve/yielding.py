@@ -51,10 +51,8 @@ class YieldingProgram:
         self._kept = list(nlp.structure.strains)
         self._strain = nlp.numbers.strain_of + 1
         """(own,) which of 1 and the strains' units is that of a variable"""
-        self._carried = np.zeros(len(nlp.equality), int)
+        self._carried = nlp.strains_carried
         """(rows,) the same of a gap: fatrop wants next states in it as they are"""
-        for state, row in zip(nlp.states[1:], nlp.gaps, strict=True):
-            self._carried[row + np.arange(len(state))] = self._strain[state]
         self._write(nlp)
         self._unpriced = self._write_unpriced(nlp)
 

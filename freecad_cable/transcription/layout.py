@@ -4,7 +4,7 @@
 import numpy as np
 
 from ..geometry import rotation
-from .nlp import SCHEMES, Nlp, pack
+from .nlp import SCHEMES, Nlp
 from .shape import Joint, Shape
 
 
@@ -76,15 +76,14 @@ def places(nlp: Nlp, steps, x):
     return arc_length, states[:, :3], quaternion
 
 
-def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
-    """Nodes, internal forces and moments of a solved program.
+def shape_of(nlp: Nlp, values: dict, parameters, steps, x, lam) -> Shape:
+    """Nodes, internal forces and moments of a solved program; ``parameters`` are ``values`` packed.
 
     With the gap r_{k+1} − F, its multipliers are the internal force n at node k+1, and, as a turn δφ changes a
     quaternion by ½ δφ ∘ q, the moment is m·e = ½ λ·(e ∘ q) = ½ (λ ∘ q⁻¹)·e. At the first node of a stretch both follow
     from the balance of its first element. Curvature at the nodes is that of the moment there (Rᵀm = K(κ − κ⁰)).
     """
     structure = nlp.structure
-    parameters = pack(structure, values, steps)
     arc_length, position, quaternion = places(nlp, steps, x)
     weight = values["weight"]
     gap = lam[nlp.carried]
@@ -102,12 +101,14 @@ def shape_of(nlp: Nlp, values: dict, steps, x, lam) -> Shape:
         + rotation.cross(means, weight) * lengths
     )
     force[0], moment[0] = leaving[0], turning[0]
+    after = None
     if structure.bend_limit:
         # Where the limit acts, the moment no longer tells the curvature.
         strain, after = _read_strains(nlp, values, x)
     else:
         strain = strains(structure, values, quaternion, force, moment)
-        after = strains(structure, values, quaternion[firsts], leaving, turning)
+        if structure.joints:
+            after = strains(structure, values, quaternion[firsts], leaving, turning)
     joints = tuple(
         Joint(node, after[j], force[node] - leaving[j], moment[node] - turning[j])
         for j, node in enumerate(structure.joints, start=1)

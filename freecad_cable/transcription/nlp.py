@@ -95,6 +95,14 @@ class Nlp:
         """(n, 7) rows in which position and quaternion go from a node to the next"""
         return self.gaps[:, None] + np.arange(7)
 
+    @cached_property
+    def strains_carried(self) -> np.ndarray:
+        """(rows,) which of the kept strains, from 1 on, a row carries to the next state; 0 for other rows"""
+        found = np.zeros(len(self.equality), int)
+        states = self.states[1:]
+        found[self.gaps[:, None] + np.arange(states.shape[1])] = self.numbers.strain_of[states] + 1
+        return found
+
     @property
     def states(self) -> np.ndarray:
         """(n+1, nx) indices into x"""

@@ -114,7 +114,7 @@ class Shape:
     def on(self, arc_length) -> "Shape":
         """The same rod with nodes at other arc lengths, those of the joints among them; forces and moments go
         along."""
-        if len(arc_length) == len(self.arc_length) and np.array_equal(arc_length, self.arc_length):
+        if arc_length is self.arc_length or np.array_equal(arc_length, self.arc_length):
             return self
         places = [self.arc_length[joint.node] for joint in self.joints]
         nodes = [0, *np.searchsorted(arc_length, np.array(places) - 1e-12), len(arc_length) - 1]

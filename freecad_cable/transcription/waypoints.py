@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..problem import Pinned, Ring, Scene
+from ..problem import End, Pinned, Ring, Scene, Support
 from ..problem.reduce import orientation
 from .scaling import Scaling
 
@@ -19,34 +19,34 @@ CLOSEST = 2e-3
 
 @dataclass(frozen=True)
 class Waypoint:
-    """A held place without units; ``tangent`` (3,) None where the scene gives none."""
+    """A held place without units, the end or support that holds it, and of a ring the way through it (3,)."""
 
     arc_length: float
     position: np.ndarray
-    tangent: np.ndarray | None
+    holder: End | Support
+    way: np.ndarray | None
+
+    @property
+    def tangent(self) -> np.ndarray | None:
+        """(3,); None where the scene gives none."""
+        return orientation(self.holder) if self.way is None else self.way
 
 
 def waypoints(scene: Scene, scaling: Scaling) -> list[Waypoint]:
     """All places that hold the cable, in order."""
-    places, positions, tangents = [], [], []
-
-    def add(place, position, tangent):
-        places.append(place)
-        positions.append(scaling.point(position))
-        tangents.append(tangent)
-
+    places = [s.arc_length / scaling.length if not s.slides else np.nan for s in scene.supports]
+    holders = list(scene.supports)
     if isinstance(scene.start, Pinned):
-        add(0.0, scene.start.position, orientation(scene.start))
-    for support in scene.supports:
-        place = np.nan if support.slides else support.arc_length / scaling.length
-        add(place, support.position, orientation(support))
+        places, holders = [0.0, *places], [scene.start, *holders]
     if isinstance(scene.end, Pinned):
-        add(1.0, scene.end.position, orientation(scene.end))
-    positions, places = np.array(positions), _spread(np.array(places), np.array(positions))
-    for i, support in enumerate(scene.supports, start=isinstance(scene.start, Pinned)):
-        if isinstance(support, Ring):
-            tangents[i] = _through(positions, i, support.axis)
-    return [Waypoint(*each) for each in zip(places, positions, tangents, strict=True)]
+        places, holders = [*places, 1.0], [*holders, scene.end]
+    positions = scaling.point([holder.position for holder in holders])
+    ways = [
+        _through(positions, i, holder.axis) if isinstance(holder, Ring) else None
+        for i, holder in enumerate(holders)
+    ]
+    places = _spread(np.array(places), positions)
+    return [Waypoint(*each) for each in zip(places, positions, holders, ways, strict=True)]
 
 
 def breaks(scene: Scene, scaling: Scaling) -> tuple[float, ...]:
