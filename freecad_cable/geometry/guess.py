@@ -49,13 +49,11 @@ def lowest_candidate(span, start_tangent, end_tangent, length, bulge):
     ``span`` (3,) is the end minus the start, shorter than ``length``; ``bulge`` (3,) is w/EI. At
     most one tangent may be None. A curve that folds is taken only if all do.
     """
-    fine_u, fine_weights = (array.ravel() for array in gauss(PARAMETER))
-    fine, coarse = _slopes(fine_u), _slopes(_COARSE)
     base, bumps = [], []
     for tangents in _tangent_choices(span, start_tangent, end_tangent, bulge):
         hermite = np.outer(_START, tangents[0]) + np.outer(_END, tangents[1])
         line = np.outer(_SPAN, span)
-        largest = _root(fine @ line, fine @ hermite, fine_weights, length)
+        largest = _root(_FINE_SLOPES @ line, _FINE_SLOPES @ hermite, _FINE_WEIGHTS, length)
         base.append(line + largest * hermite)
         bumps.append(np.zeros((6, 3)))
         for side in _sides(span, *tangents, bulge):
@@ -66,23 +64,27 @@ def lowest_candidate(span, start_tangent, end_tangent, length, bulge):
     bumped = bumps.any(axis=(1, 2))
     amplitude = np.zeros(len(base))
     amplitude[bumped] = _root(
-        coarse @ base[bumped], coarse @ bumps[bumped], _COARSE_WEIGHTS, length
+        _COARSE_SLOPES @ base[bumped], _COARSE_SLOPES @ bumps[bumped], _COARSE_WEIGHTS, length
     )
     best = np.argmin(_energy(base + amplitude[:, None, None] * bumps, length, bulge))
     if not bumped[best]:
         return base[best]
-    amplitude = _root(fine @ base[best], fine @ bumps[best], fine_weights, length)
-    return base[best] + amplitude * bumps[best]
+    base, bump = base[best], bumps[best]
+    return base + bump * _root(_FINE_SLOPES @ base, _FINE_SLOPES @ bump, _FINE_WEIGHTS, length)
 
 
 def values(coefficients, u):
     """The polynomial (6, 3) at u (...): (..., 3)."""
-    return np.power.outer(np.asarray(u, float), _POWERS) @ coefficients
+    return _powers(np.asarray(u, float)) @ coefficients
 
 
 def slopes(coefficients, u):
     """Its derivative at u (...): (..., 3)."""
     return _slopes(np.asarray(u, float)) @ coefficients
+
+
+def _powers(u):
+    return np.power.outer(u, _POWERS)
 
 
 def _slopes(u):
@@ -91,6 +93,9 @@ def _slopes(u):
 
 _COARSE = (1 - np.cos(np.linspace(0, math.pi, 49))) / 2
 _COARSE_WEIGHTS = np.convolve(np.diff(_COARSE), [0.5, 0.5])
+_COARSE_POWERS, _COARSE_SLOPES = _powers(_COARSE), _slopes(_COARSE)
+_FINE_PLACES, _FINE_WEIGHTS = (array.ravel() for array in gauss(PARAMETER))
+_FINE_SLOPES = _slopes(_FINE_PLACES)
 
 
 def _root(base, direction, weights, length):
@@ -99,12 +104,16 @@ def _root(base, direction, weights, length):
     The sum is convex in x, so Newton's method started on the far side runs down to the root without
     overshooting.
     """
-    speed = np.linalg.norm(direction, axis=-1) @ weights
-    x = np.asarray((length + np.linalg.norm(base, axis=-1) @ weights) / speed)
+    # |base + x direction|² = before + 2 x mixed + x² along
+    before, mixed, along = (
+        np.einsum("...i,...i->...", *pair)
+        for pair in ((base, base), (base, direction), (direction, direction))
+    )
+    x = np.asarray((length + np.sqrt(before) @ weights) / (np.sqrt(along) @ weights))
     for _ in range(100):
-        slope = base + x[..., None, None] * direction
-        speed = np.maximum(np.linalg.norm(slope, axis=-1), 1e-300)
-        growth = ((slope * direction).sum(axis=-1) / speed) @ weights
+        change = mixed + x[..., None] * along
+        speed = np.sqrt(np.maximum(before + x[..., None] * (mixed + change), 1e-300))
+        growth = (change / speed) @ weights
         step = (speed @ weights - length) / np.maximum(growth, 1e-300)
         x = np.maximum(x - np.maximum(step, 0), 0)
         if (step <= 1e-14 * x).all():
@@ -115,7 +124,7 @@ def _root(base, direction, weights, length):
 def _energy(coefficients, length, bulge):
     """Energy over EI (k,) of the candidates (k, 6, 3), from the angles between samples."""
     weight = bulge * min(1.0, HEAVY / max(float(np.linalg.norm(bulge)) * length**3, 1e-300))
-    slope = _slopes(_COARSE) @ coefficients
+    slope = _COARSE_SLOPES @ coefficients
     speed = np.linalg.norm(slope, axis=-1)
     before, after = slope[:, :-1], slope[:, 1:]
     turning = np.arctan2(
@@ -123,7 +132,7 @@ def _energy(coefficients, length, bulge):
     )
     distance = (speed[:, 1:] + speed[:, :-1]) / 2 * np.diff(_COARSE)
     bending = (turning**2 / np.maximum(distance, 1e-9 * length)).sum(axis=-1) / 2
-    height = (values(coefficients[:, None], _COARSE[:, None])[:, :, 0] @ weight) * speed
+    height = (_COARSE_POWERS @ coefficients @ weight) * speed
     folded = turning.max(axis=-1) > math.pi / 2
     return bending - height @ _COARSE_WEIGHTS + np.where(folded, 1e12 / length, 0)
 

@@ -51,7 +51,6 @@ def reduce(scene: Scene, *, rigid: bool = True) -> Model:
         kept.append("gravity")
     else:
         left_out.append("gravity: there is none, or the cable has no mass (exact)")
-    slack = rigid and tautness(scene) < 1 - SLACK
     for stiffness, indices, name in (
         (rod.shear_stiffness, SHEAR, "shear"),
         (rod.axial_stiffness, STRETCH, "stretch"),
@@ -60,7 +59,7 @@ def reduce(scene: Scene, *, rigid: bool = True) -> Model:
             left_out.append(
                 f"{name}: no stiffness is given, so the cable is taken as rigid in {name}"
             )
-        elif slack and name not in keep:
+        elif rigid and name not in keep and tautness(scene) < 1 - SLACK:
             tried.append(name)
         else:
             strains.extend(indices)
