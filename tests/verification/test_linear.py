@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 
-from freecad_cable.solve.linear import LinearProblem
+from freecad_cable.solve.linear import LinearProblem, solved
 
 
 def test_what_is_free_stays():
@@ -55,3 +55,20 @@ def test_a_band_with_a_border():
     found = np.vstack(problem.solve()).ravel()
     # Rounding over what such a matrix has of condition, some 1e4.
     assert found == pytest.approx(expected[: len(found)], abs=1e-9 * np.abs(expected).max())
+
+
+def test_without_joints_at_once():
+    """As the problem that is collected piece by piece has it; None where that has no unique answer."""
+    random = np.random.default_rng(2)
+    transfer, defects = random.normal(size=(2, 4, 12, 12)), random.normal(size=(4, 12))
+    ends = [(random.normal(size=(6, 12)), random.normal(size=6)) for _ in range(2)]
+    problem = LinearProblem([4])
+    problem.elements(transfer, defects)
+    problem.ends(*ends)
+    (expected,) = problem.solve()
+    found = solved(transfer, defects, *ends)
+    # The same equations in the same order.
+    assert found == pytest.approx(expected, abs=1e-12 * np.abs(expected).max())
+    same = np.tile(np.eye(12), (4, 1, 1))
+    held = np.eye(12)[:6], np.zeros(6)
+    assert solved((same, same), defects, held, held) is None
