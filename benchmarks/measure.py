@@ -16,7 +16,7 @@ from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Scene
 from freecad_cable.problem.reduce import reduce
 from freecad_cable.result import Solution
-from freecad_cable.solve.trial import Problem
+from freecad_cable.solve.problem import Problem
 from freecad_cable.transcription.nlp import build
 
 REPEATS = 4

@@ -17,7 +17,7 @@ from freecad_cable.equilibrium import answer, find, find_equilibrium
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Scene
 from freecad_cable.result import Solution
-from freecad_cable.solve import backend, mesh, own, search, stability, strong_form, trial
+from freecad_cable.solve import backend, mesh, own, problem, search, stability, strong_form
 from freecad_cable.transcription import layout
 
 REPEATS = 40
@@ -37,7 +37,7 @@ CLOCKED = (
     ("the start", layout, "variables"),
     ("the start", layout, "multipliers"),
     ("the start", find, "_nodes"),
-    ("the start", trial, "pack"),
+    ("the start", problem, "pack"),
     ("mesh", mesh, "uniform"),
     ("mesh", mesh, "refined"),
     (CROSSING, backend, "minimise"),
@@ -47,7 +47,7 @@ CLOCKED = (
     ("stability", stability, "proven"),
     ("stability", stability.SecondVariation, "lowest_mode"),
     ("the answer", find, "solution"),
-    ("the answer: balance check", answer, "balance"),
+    ("the answer: balance check", answer, "balanced"),
     ("the answer: bend radius", answer, "smallest_bend_radius"),
     ("cable through itself", own, "self_penetrations"),
 )

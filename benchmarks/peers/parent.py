@@ -22,7 +22,7 @@ from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Clamped, Free, Scene
 from freecad_cable.problem.reduce import reduce
-from freecad_cable.solve.trial import Problem
+from freecad_cable.solve.problem import Problem
 from freecad_cable.transcription.guess import guess
 
 PATIENCE = 60.0

@@ -6,18 +6,16 @@ import numpy as np
 from ..geometry.runs import runs
 from ..problem import Tube
 from ..result import (
-    Balance,
-    Contact,
     Energy,
     Formed,
     Load,
     Solution,
-    balance,
     end_violation,
     smallest_bend_radius,
     support_violation,
 )
 from ..status import Status
+from .pushes import balanced, contacts_of
 
 HELD = 1e-5
 """Violation of an end or a support above which no answer passes; the solver leaves 1e-7 at most."""
@@ -30,15 +28,15 @@ def solution(problem, trial) -> Solution:
     """The solution of a ``Problem`` from its ``Trial``."""
     scene, scaling, shape = problem.scene, problem.scaling, trial.shape
     model = problem.model
-    rod, length = scene.rod, scaling.length
+    length = scaling.length
     arc_length = shape.arc_length * length
     position = scaling.origin + shape.position * length
     force, moment = shape.force * scaling.force, shape.moment * scaling.energy
     curvature = shape.strain[:, :3] / length
-    pushes = trial.pushes * scaling.force
-    check = _balance(rod, scene.weight, scaling, shape, pushes)
+    pushes = trial.with_itself.on_nodes(len(arc_length)) * scaling.force
+    check = balanced(problem, trial, pushes)
     nodes = tuple(joint.node for joint in shape.joints)
-    contacts = _contacts(problem, trial) if trial.touches else ()
+    contacts = contacts_of(problem, trial) if trial.touches else ()
     violation = max(
         end_violation(scene, position, shape.quaternion),
         support_violation(scene, nodes, arc_length, position, shape.quaternion),
@@ -102,26 +100,6 @@ def _through_itself(problem, shape) -> str | None:
     )
 
 
-def _balance(rod, weight, scaling, shape, pushes):
-    """The worst of the stretches between supports."""
-    nodes = shape.ends
-    between = pushes.copy()
-    between[nodes] = 0.0  # goes into what holds the cable there
-    found = [
-        balance(
-            rod,
-            weight,
-            part.arc_length * scaling.length,
-            scaling.origin + part.position * scaling.length,
-            part.quaternion,
-            part.force * scaling.force,
-            between[a : b + 1],
-        )
-        for part, a, b in zip(shape.parts(), nodes, nodes[1:], strict=False)
-    ]
-    return Balance(max(b.moment for b in found), max(b.force for b in found))
-
-
 AT_LIMIT = 1e-4
 """How near to the largest curvature, relative to it, a node is taken to be held there: the solvers stop so near."""
 
@@ -138,29 +116,6 @@ def _formed(problem, trial):
     return tuple(
         Formed(float(s[a]), float(s[b - 1]), float(missing[a:b].max())) for a, b in runs(there)
     )
-
-
-def _contacts(problem, trial):
-    """One contact for each run of nodes that an obstacle pushes, and two for each in which the cable touches itself."""
-    scaling, owners = problem.scaling, trial.owners
-    arc_length = trial.shape.arc_length * scaling.length
-    pushes, found = trial.contact_forces * scaling.force, []
-    for obstacle in () if owners is None else np.unique(owners[owners >= 0]):
-        force = (pushes * (owners == obstacle)[..., None]).sum(axis=1)
-        size = np.linalg.norm(force, axis=1)
-        for a, b in runs(size > 0):
-            middle = np.average(arc_length[a:b], weights=size[a:b])
-            found.append(Contact(float(middle), int(obstacle), force[a:b].sum(axis=0)))
-    touches = trial.with_itself
-    for place in touches.places(problem.own.radius):
-        size = np.linalg.norm(touches.forces[place], axis=1)
-        here, there = (
-            float(np.average(each[place], weights=size)) * scaling.length
-            for each in (touches.here, touches.there)
-        )
-        force = touches.forces[place].sum(axis=0) * scaling.force
-        found += [Contact(here, None, force, there), Contact(there, None, -force, here)]
-    return tuple(sorted(found, key=lambda contact: contact.arc_length))
 
 
 def _clearance(problem, shape):

@@ -76,8 +76,8 @@ def _in_one_piece(scene, start, watch, apart):
         # What was not to be found beside the rims of rings is not looked for at each step of a drag.
         problem.surroundings = problem.surroundings.without_rims()
     from ..solve.effects import find
+    from ..solve.problem import TimeUpError
     from ..solve.search import finer
-    from ..solve.trial import TimeUpError
 
     try:
         trial = find(problem, None if start is None else _nodes(start, problem))
@@ -130,7 +130,7 @@ def _problem(scene, watch=None, pull=0.0):
     if (sentence := _without_slack(scene)) is not None:
         return Solution(scene=scene, status=Status.INFEASIBLE, message=sentence)
     try:
-        from ..solve.trial import Problem
+        from ..solve.problem import Problem
     except ImportError as error:
         if error.name and error.name.split(".")[0] != "casadi":
             raise

@@ -36,6 +36,15 @@ class Nearest:
     radius: np.ndarray
     """(m,) [m] ρ: 0 for sharp edges and corners, and for faces; of a hole its own"""
 
+    def taken(self, which) -> "Nearest":
+        """That of some of the points."""
+        return Nearest(*(each[which] for each in vars(self).values()))
+
+    def joined(self, other: "Nearest") -> "Nearest":
+        """With that of more points."""
+        pairs = zip(vars(self).values(), vars(other).values(), strict=True)
+        return Nearest(*(np.concatenate(pair) for pair in pairs))
+
 
 def measured(points, feature, center, direction, radius, otherwise) -> Nearest:
     """Distances and normals of points (m, 3) from their nearest features.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What was found: the solution, checked independently of how it was found. NumPy and SciPy."""
 
-from .balance import Balance, balance
+from .balance import Balance, Pushes, balance
 from .bend import smallest_bend_radius
 from .ends import end_violation, support_violation
 from .near import is_near
@@ -14,6 +14,7 @@ __all__ = [
     "Formed",
     "LengthBound",
     "Load",
+    "Pushes",
     "Solution",
     "balance",
     "end_violation",

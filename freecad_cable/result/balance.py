@@ -29,10 +29,18 @@ class Balance:
     """largest effect on a section of the difference between the best n₀ and the reported one"""
 
 
-def balance(rod, weight, arc_length, position, quaternion, force, contact=None) -> Balance | None:
+@dataclass(frozen=True)
+class Pushes:
+    """What acts on a rod from outside: arc lengths (m,) [m], positions (m, 3) [m], forces (m, 3) [N]."""
+
+    arc_length: np.ndarray
+    position: np.ndarray
+    force: np.ndarray
+
+
+def balance(rod, weight, arc_length, position, quaternion, force, pushes=None) -> Balance | None:
     """Residuals of a rod's nodes: arc_length (n+1,), position (n+1, 3), quaternion (n+1, 4), force (n+1, 3);
-    weight (3,) [N/m]; ``contact`` (n+1, 3) [N] what acts on each node from outside; all SI. None with fewer than
-    three nodes."""
+    weight (3,) [N/m]; ``pushes`` act on it between its ends; all SI. None with fewer than three nodes."""
     if len(arc_length) < 3:
         return None
     degree = min(5, (len(arc_length) - 1) | 1)
@@ -52,11 +60,15 @@ def balance(rod, weight, arc_length, position, quaternion, force, contact=None) 
     # Read as the strain that it would cause, so that a direction in which the rod is stiff, where the least
     # error of a frame is a large moment, does not drown the others.
     known = rotation.cross(hanging - gone * lever, weight)
-    if contact is not None and contact.any():
-        # Every contact passed adds (r − its place) × its force to the moment.
-        passed = np.clip(np.searchsorted(arc_length, s, "right") - 1, 0, None)
-        sums = np.cumsum(contact, axis=0)[passed]
-        turning = np.cumsum(rotation.cross(position, contact), axis=0)[passed]
+    if pushes is not None and len(pushes.arc_length):
+        # Every one passed adds (r − its place) × its force to the moment.
+        order = np.argsort(pushes.arc_length)
+        passed = np.searchsorted(pushes.arc_length[order], s, "right")
+        forces = pushes.force[order]
+        turns = rotation.cross(pushes.position[order], forces)
+        sums, turning = (
+            np.vstack([np.zeros(3), np.cumsum(each, axis=0)])[passed] for each in (forces, turns)
+        )
         known = known - rotation.cross(places, sums) + turning
     soften = np.swapaxes(rotation.matrix(q / norm), 1, 2) / rod.stiffness[:, None]
     matrix = np.concatenate([soften @ rotation.cross_matrix(lever), -soften], axis=2)

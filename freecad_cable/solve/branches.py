@@ -5,7 +5,8 @@ import numpy as np
 
 from ..transcription.guess import guess
 from . import contact, mesh, search
-from .trial import Problem, TimeUpError, Trial
+from .problem import Problem, TimeUpError
+from .trial import Trial
 
 TURNS = (0, -1, 1, -2, 2)
 """Full turns of twist beyond the least of each start."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A cable among obstacles: first as if there were none, then around those that it would enter. Likewise with itself.
 
-Nodes keep away from the nearest features of the obstacles. Where a feature is all of the obstacle near a node (a
-plane, a ball, the side of a cylinder) one solve is exact; else features are looked up anew at the nodes of the last
-solve until they stay.
+Each element keeps the place on it that is nearest to an obstacle away from what is nearest there. Where that feature
+is all of the obstacle near the place (a plane, a ball, the side of a cylinder) one solve is exact; else places and
+features are looked up anew at the last solve until they stay.
 """
 
 from dataclasses import replace
@@ -11,13 +11,14 @@ from itertools import islice
 
 import numpy as np
 
-from ..transcription import contact
+from ..transcription import arms
 from ..transcription.shape import Shape
 from . import mesh, touching
 from .detours import detours
+from .problem import Problem, TimeUpError
 from .saddle import descended
 from .surroundings import BESIDE, NEAR
-from .trial import Problem, TimeUpError, Trial
+from .trial import Trial
 
 PASSES = 12
 """Lookups of features after which an attempt ends."""
@@ -26,16 +27,20 @@ SETTLED = 1e-3
 WELL_SETTLED = 1e-5
 """The same from which no more lookups are tried: a gap tells of a cable that slides along a round edge by the square of
 how far. The solvers leave 1e-6."""
+TWICE = 2
+"""Lookups after which features that pushed are kept, for they may be taking turns."""
 MORE = 4
 """Lookups beyond those that are enough. Where the cable touches itself all are made: two parts side by side are a hinge
 that turns by a small gap over a short length."""
 AT_RIMS = 4
 """Starts that are tried where a cable is in nothing but rims of rings."""
+COARSER = 1.5
+"""Error of a mesh to its distance from a finer one by a third, at order 4 of which that has a third of the error."""
 CHANCE = 3.0
 """By how much more than first order the error of a mesh is taken to be, from the changes before it."""
-FIRST = 64
-"""Elements of the first mesh."""
-MESHES = (96, 96, 128, 128, 192, 256, 256, 256, 384, 384)
+FIRST, APART = 64, 96
+"""Elements of the first mesh; at least so many where the cable touches itself."""
+MESHES = (48, 64, 96, 96, 128, 128, 192, 256, 256, 256, 256, 384, 384)
 LOST = 0.02
 """Change from mesh to mesh that is no refinement."""
 NARROWEST = 3e-5
@@ -89,7 +94,7 @@ def _fine_at_holes(problem, shape):
     places = [shape.arc_length[node] for node in around_it.in_holes(shape)]
     if not places:
         return shape
-    return shape.on(mesh.gathered(shape, MESHES[0], places, around_it.radius))
+    return shape.on(mesh.gathered(shape, FIRST, places, around_it.radius))
 
 
 def apart(problem: Problem, trial: Trial) -> Trial:
@@ -103,7 +108,7 @@ def apart(problem: Problem, trial: Trial) -> Trial:
         for side in (1, -1):
             shape = trial.shape
             if fixed is None:
-                shape = shape.on(mesh.gathered(shape, MESHES[0], places, problem.own.radius))
+                shape = shape.on(mesh.gathered(shape, APART, places, problem.own.radius))
             found = _settled(problem, shape, leaving=side, fallback=True)
             if found is None:
                 continue
@@ -148,7 +153,7 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
 def _coarser(problem, trial, warm) -> float:
     """How much longer the elements are where contact begins and ends now than the finest were, which are those where it
     began and ended before: the error goes with them."""
-    places, _ = touching.places(problem, trial)
+    places = touching.places(problem, trial)
     return max(1.0, touching.fineness(trial.shape, places) / warm.steps.min())
 
 
@@ -158,15 +163,15 @@ def _gathered(problem, found, error=np.inf):
     around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
     found, width = found.measured_as(error), 1 / FIRST
     expected = last = 0.0
-    before = here = touching.places(problem, found)
+    here = touching.places(problem, found)
     try:
         for elements in MESHES:
-            if not len(here[0]):
+            if problem.apart and elements < APART:
+                continue
+            if not len(here):
                 return found.measured_as(None)  # touches nothing, so the strong form holds
-            rest = touching.ahead(before, here)
-            # Nodes that gather beside the way of a contact would not let it pass.
-            width = max(width / GATHER, NARROWEST, np.abs(rest - here[0]).max())
-            nodes = mesh.gathered(found.shape, elements, rest, width)
+            width = max(width / GATHER, NARROWEST)
+            nodes = mesh.gathered(found.shape, elements, here, width)
             finer = _settled(problem, found.shape.on(nodes), BESIDE, fallback=True)
             if finer is None:
                 return found
@@ -177,12 +182,12 @@ def _gathered(problem, found, error=np.inf):
                 return found  # the finer one has left for another equilibrium
             # A node may lie well by chance, and then one change tells too little: the error goes with the elements. Two
             # that are small are no chance.
-            fineness = touching.fineness(found.shape, here[0])
-            before, here = here, touching.places(problem, finer)
-            finer_by = touching.fineness(finer.shape, here[0]) / fineness if len(here[0]) else 1.0
+            fineness = touching.fineness(found.shape, here)
+            here = touching.places(problem, finer)
+            finer_by = touching.fineness(finer.shape, here) / fineness if len(here) else 1.0
             expected = max(min(expected, last), change) * min(finer_by, 1.0)
             last = change
-            error = max(change, CHANCE * expected)
+            error = max(COARSER * change, CHANCE * expected)
             found = finer.measured_as(error)
             inside = problem.apart and problem.own.depths(found.shape)
             if error <= tolerance and not (inside or around_it.deepest(found.shape)):
@@ -198,7 +203,7 @@ def finer(problem: Problem, trial: Trial) -> Trial:
     is not to be had."""
     best, elements = trial, mesh.size(2 * len(trial.shape.steps))
     for _ in range(2):
-        places, _ = touching.places(problem, best)
+        places = touching.places(problem, best)
         width = touching.fineness(best.shape, places)
         nodes = mesh.gathered(best.shape, elements, places, width)
         found = _settled(problem, best.shape.on(nodes), BESIDE, fallback=True)
@@ -211,23 +216,21 @@ def finer(problem: Problem, trial: Trial) -> Trial:
 
 
 def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
-    """Solve on the nodes of ``shape`` until the features are those of the solution. ``reach``: up to what gap nodes
-    are given features; ``leaving``: whether they are to leave what they are in, and which way the cable leaves itself;
+    """Solve on the nodes of ``shape`` until the places are those of the solution. ``reach``: up to what gap elements
+    are given places; ``leaving``: whether they are to leave what they are in, and which way the cable leaves itself;
     ``fallback``: whether it is worth asking the slower solver too."""
     around_it = problem.surroundings
     settled, near, more = SETTLED * around_it.radius, None, MORE
+    places = around_it.places(shape, reach, bool(leaving))
     for turn in range(PASSES):
-        way = leaving if turn == 0 else 0
-        found = around_it.features(shape, reach, bool(way))
-        features, owners = (None, None) if found is None else found
-        links = problem.own.links(shape, reach, way) if problem.apart else None
-        trial = problem.solve(shape, features=features, links=links, fallback=fallback)
+        links = problem.own.links(shape, reach, leaving * (turn == 0)) if problem.apart else None
+        trial = problem.solve(shape, places=places, links=links, fallback=fallback)
         if trial is None:
             return near
-        trial = replace(trial, owners=owners)
-        which, gap = around_it.gaps(trial.shape, 2 * around_it.keep)
-        stale = _staleness(trial, around_it, which, gap)
-        if gap.min(initial=np.inf) > -settled and stale < settled:
+        shape = trial.shape
+        places = around_it.places(shape, reach, pushed=trial.pushed if turn >= TWICE else None)
+        stale = _staleness(around_it, trial, places)
+        if stale < settled:
             own = _own_staleness(problem, trial) if problem.apart else 0.0
             if max(stale, own) < WELL_SETTLED * around_it.radius:
                 return trial
@@ -235,7 +238,6 @@ def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
                 near, more = trial, more - 1
                 if not more:
                     return near
-        shape = trial.shape
     return near
 
 
@@ -251,17 +253,19 @@ def _own_staleness(problem, trial) -> float:
     return max(stale, -nearest.min())
 
 
-def _staleness(trial, around_it, which, gap) -> float:
-    """Largest difference between the gap to a feature that pushes and the gap to its obstacle."""
-    if trial.owners is None:
-        return 0.0
-    nodes, slots = np.nonzero(np.linalg.norm(trial.contact_forces, axis=2))
-    if not len(nodes):
-        return 0.0
-    owners = trial.owners[nodes, slots]
-    indices = around_it.indices[which]
-    if not np.isin(owners, indices).all():
-        return np.inf
-    given = contact.value(trial.shape.position[nodes], trial.values["features"][nodes, slots])
-    there = gap[np.searchsorted(indices, owners), nodes]
-    return float(np.abs(given - there).max())
+def _staleness(around_it, trial, places) -> float:
+    """How far the places that a look at a trial finds are inside what they keep away from, and the largest difference
+    between a gap that pushes and that of its place to the obstacle."""
+    stale = 0.0
+    if places is not None:
+        here = arms.rows(trial.nlp.structure, trial.shape, places)
+        stale = -arms.read(trial.nlp, trial.raw.x, here).gap.min()
+    pushed = trial.pushed
+    for owner in () if pushed is None else np.unique(pushed.owners):
+        own = pushed.owners == owner
+        there = around_it.nearest_of(
+            np.searchsorted(around_it.indices, owner), pushed.position[own]
+        )
+        gap = there.distance - around_it.keep
+        stale = max(stale, np.abs(pushed.gap[own] - gap).max())
+    return float(stale)

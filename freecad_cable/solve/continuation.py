@@ -12,7 +12,8 @@ import numpy as np
 from ..problem.reduce import tautness
 from ..transcription.guess import guess
 from . import mesh
-from .trial import Problem, Trial
+from .problem import Problem
+from .trial import Trial
 
 LIGHT = 100.0
 """Weight ratio with which continuation begins."""

@@ -11,7 +11,8 @@ import numpy as np
 
 from ..problem.reduce import reduce
 from . import search
-from .trial import Problem, Trial
+from .problem import Problem
+from .trial import Trial
 
 SAFETY = 10.0
 """Between the strain summed along the cable and the tolerance: a change of length δ changes the sag of a cable of

@@ -10,7 +10,8 @@ from ..geometry import rotation
 from ..problem import Clamp, Ring
 from ..transcription.shape import Joint, Shape
 from . import mesh
-from .trial import Problem, Trial
+from .problem import Problem
+from .trial import Trial
 
 STEP = 1 / 3
 """First step, as a share of the way."""

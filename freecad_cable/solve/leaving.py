@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How nodes leave an obstacle that they are inside of: along a direction that their whole run agrees on. Left to itself
-each would take the nearest side, and fold the cable around the obstacle."""
+"""How points of a cable leave an obstacle that they are inside of: along a direction that their whole run agrees on.
+Left to itself each would take the nearest side, and fold the cable around the obstacle."""
 
 from dataclasses import dataclass
 
@@ -18,11 +18,27 @@ class Near:
     where: np.ndarray
     what: Nearest
 
+    def of(self, points) -> Nearest:
+        """What is nearest to some of the points, by their numbers."""
+        place = np.empty(self.where.max(initial=0) + 1, int)
+        place[self.where] = np.arange(len(self.where))
+        return self.what.taken(place[points])
 
-def leave(rows, near, points, gap, keep, nearest):
-    """Faces for the nodes at ``points`` (n+1, 3) inside an obstacle, across the direction in which each run of them
-    leaves, put in place of their ``rows`` (n+1, 12). ``gap`` (n+1,) is infinite where they may be inside, ``keep`` the
-    distance to keep, ``nearest`` the same of an obstacle as in ``near`` at other points."""
+    def at(self, where) -> "Near":
+        """The same with other numbers of the points."""
+        return Near(self.obstacle, where, self.what)
+
+    def and_(self, other: "Near | None") -> "Near":
+        """With what is nearest to more points."""
+        if other is None:
+            return self
+        where = np.concatenate([self.where, other.where])
+        return Near(self.obstacle, where, self.what.joined(other.what))
+
+
+def leave(rows, near, points, gap, around_it):
+    """Faces for the ``points`` (n, 3) of a cable inside an obstacle, across the direction in which each run of them
+    leaves, put in place of their ``rows`` (n, 12). ``gap`` (n,) is infinite where they may be inside."""
     distance, normal = np.full(len(points), np.inf), np.zeros((len(points), 3))
     distance[near.where], normal[near.where] = near.what.distance, near.what.normal
     inside = (distance < 0) & np.isfinite(gap)
@@ -36,9 +52,9 @@ def leave(rows, near, points, gap, keep, nearest):
         out = out / np.linalg.norm(out)
         place = points[run].copy()
         for _ in range(30):
-            left = nearest(near.obstacle, place).distance
+            left = around_it.nearest_of(near.obstacle, place).distance
             if (left >= 0).all():
                 break
             place += np.outer(np.maximum(-left, 0) + 1e-4 * (left < 0), out)
         rows[run] = 0.0
-        rows[run, :3], rows[run, 3:6], rows[run, 11] = place, out, keep
+        rows[run, :3], rows[run, 3:6], rows[run, 11] = place, out, around_it.keep

@@ -19,8 +19,9 @@ from ..transcription.shape import Shape
 from . import contact, mesh
 from .continuation import continued, taut_chord
 from .leading import led
+from .problem import LEADEN, Problem, TimeUpError
 from .saddle import descended
-from .trial import LEADEN, Problem, TimeUpError, Trial
+from .trial import Trial
 
 GARBAGE = 0.02
 """Error estimate, relative to the length, above which a coarse answer says nothing about the true one."""

@@ -11,17 +11,17 @@ from ..geometry.bore import Bore
 from ..geometry.box_tree import to_boxes
 from ..problem import Free, Ring, Scene
 from ..problem.surroundings import in_reach
-from ..transcription import contact
+from ..transcription.arms import Places
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
-from .leaving import Near, leave
+from .leaving import Near
+from .looking import Look, sampled
+from .placing import places
 
 NEAR = 0.3
 """Gap, in lengths, up to which a feature is given to a node that may yet move far."""
-BESIDE = 0.03
+BESIDE = 0.01
 """The same for a node of a shape that is nearly the answer."""
-MOST = 4
-"""Features of a node."""
 PENETRATION = 0.01
 """Depth between nodes, in radii of the cable, that is left."""
 LEAVING = 10.0
@@ -30,11 +30,7 @@ ROOM = 0.2
 """Play of a ring, in radii of the cable, from which the rim of its hole is an obstacle as any other; with less the
 cable is squeezed by a rim that it passes at an angle."""
 INSIDE = 4
-"""Samples of an element between its nodes."""
-CLOSER = 0.25
-"""Distance between samples, in radii of the cable, where it may touch: of an edge 1/128 of a radius goes between."""
-MOST_INSIDE = 64
-"""Samples of an element where it may touch."""
+"""Samples of an element in which the clearance is looked for."""
 
 
 class Surroundings:
@@ -50,7 +46,6 @@ class Surroundings:
         self.indices = np.flatnonzero(in_reach(scene, scene.obstacles))
         self.obstacles = [scene.obstacles[i] for i in self.indices]
         bounds = np.array([each.bounds for each in self.obstacles]).reshape(-1, 2, 3)
-        self._close = 2 * self.keep
         self._seen = WeakKeyDictionary()
         self.boxes = (bounds - scaling.origin) / scaling.length
 
@@ -109,9 +104,10 @@ class Surroundings:
         return found
 
     def _near(self, i, points, where):
-        return Near(i, where, self._nearest(i, points[where]))
+        return Near(i, where, self.nearest_of(i, points[where]))
 
-    def _nearest(self, i, points):
+    def nearest_of(self, i, points):
+        """What of an obstacle, by its number here, is nearest to points (m, 3)."""
         length = self.scaling.length
         places = self.scaling.origin + points * length
         nearest = self.obstacles[i].nearest(places)
@@ -130,20 +126,20 @@ class Surroundings:
         low, high = self.boxes[obstacles].swapaxes(0, 1)
         return np.sqrt(to_boxes(points, low, high))
 
-    def gaps(self, shape: Shape, within):
-        """(which, gaps (len(which), n+1)) what is left of the distance to keep, of the obstacles ``within`` a distance;
-        infinite beyond it, where a node is held inside it, and near such a node: a cable that comes out of a connector
-        begins at its face."""
-        found = self.nearest(shape.position, within, held_nodes(self.scene, shape))
-        return np.array([each.obstacle for each in found], int), self._gaps(shape, found)
+    def held(self, shape: Shape) -> list[int]:
+        """Nodes of a shape that are held."""
+        return held_nodes(self.scene, shape)
 
-    def _gaps(self, shape, found):
+    def gaps(self, shape: Shape, found: list[Near]) -> np.ndarray:
+        """(len(found), n+1) what is left of the distance to keep from what was ``found``; infinite where it was not
+        looked for, where a node is held inside it, and near such a node: a cable that comes out of a connector begins
+        at its face."""
         gap = np.full((len(found), len(shape.position)), np.inf)
         for row, each in zip(gap, found, strict=True):
             row[each.where] = each.what.distance - self.keep
         allowed = gap.copy()
         rings, obstructed = self._rings(shape)
-        for node in held_nodes(self.scene, shape):
+        for node in self.held(shape):
             if node in obstructed:
                 continue
             away = np.abs(shape.arc_length - shape.arc_length[node])
@@ -184,19 +180,22 @@ class Surroundings:
 
     def clearance(self, shape: Shape) -> float:
         """Smallest distance between the surfaces of cable and obstacles, without units."""
-        smallest = float(self.between(shape).min(initial=np.inf)) + self.keep
-        if not self.obstacles or smallest < self._close:
-            return smallest - self.radius
-        fine = _fine(shape, np.full(len(shape.steps), INSIDE))
-        at_least = self._at_least(fine.position)
-        nearest = at_least.min(axis=0)
-        for i in np.argsort(nearest):
-            if nearest[i] >= smallest:
-                break
-            near = np.flatnonzero(at_least[:, i] < smallest)
-            gap = self._gaps(fine, [self._near(i, fine.position, near)])
-            smallest = min(smallest, float(gap.min()) + self.keep)
-        return smallest - self.radius
+        if not self.obstacles:
+            return np.inf
+        look = self.look(shape)
+        smallest = float(look.least.min())
+        doubtful = ~look.closely & ((look.bound < smallest) | np.isinf(smallest))
+        if doubtful.any():
+            fine = sampled(shape, np.where(doubtful, INSIDE, 1))
+            at_least = self._at_least(fine.position)
+            nearest = at_least.min(axis=0)
+            for i in np.argsort(nearest):
+                if nearest[i] - self.keep >= smallest:
+                    break
+                near = np.flatnonzero(at_least[:, i] - self.keep < smallest)
+                gap = self.gaps(fine, [self._near(i, fine.position, near)])
+                smallest = min(smallest, float(gap.min()))
+        return smallest + self.keep - self.radius
 
     def deepest(self, shape: Shape) -> float:
         """How far the cable enters the distance to keep, without units; 0 if no more than it may."""
@@ -205,12 +204,9 @@ class Surroundings:
 
     def worst(self, shape: Shape):
         """(where, relative to the length, and which of the scene's obstacles) the cable enters most."""
-        element = int(np.argmin(self.between(shape)))
-        places = np.linspace(*shape.arc_length[element : element + 2], MOST_INSIDE)
-        fine = shape.on(np.union1d(shape.arc_length, places))
-        which, gaps = self.gaps(fine, self._close)
-        row, node = np.unravel_index(np.argmin(gaps), gaps.shape)
-        return float(fine.arc_length[node]), int(self.indices[which[row]])
+        look = self.look(shape)
+        row, sample = np.unravel_index(np.argmin(look.gaps), look.gaps.shape)
+        return float(look.fine.arc_length[sample]), int(self.indices[look.found[row].obstacle])
 
     def intrusion(self, shape: Shape, weighted=True) -> float:
         """Share of the length that is nearer to an obstacle than it may be, ``weighted`` by how much."""
@@ -218,61 +214,22 @@ class Surroundings:
         return float(shape.steps @ np.where(gap < 0, -gap if weighted else 1.0, 0.0))
 
     def between(self, shape: Shape) -> np.ndarray:
-        """(n,) smallest gap over each element, its inside included; infinite where no obstacle is within twice the
-        distance to keep. Asked for often of one shape."""
-        if not self.obstacles:
-            return np.full(len(shape.steps), np.inf)
-        if shape not in self._seen:
-            counts, apart = np.full(len(shape.steps), INSIDE), shape.steps / INSIDE
-            least = self._least(shape, counts, np.maximum(self._close, self.keep + apart))
-            # No gap between samples is less than that at the nearer of them by more than half their distance; a node
-            # that is held says nothing of what is beside it.
-            half = apart / 2
-            for node in held_nodes(self.scene, shape):
-                half[max(node - 1, 0) : node + 1] *= 2
-            doubtful = least < half
-            if doubtful.any():
-                closer = np.ceil(shape.steps / (CLOSER * self.radius)).clip(INSIDE, MOST_INSIDE)
-                counts = np.where(doubtful, closer, 1).astype(int)
-                closely = self._least(shape, counts, np.where(doubtful, self._close, 0.0))
-                least = np.where(doubtful, closely, least)
-            self._seen[shape] = least
-        return self._seen[shape]
+        """(n,) smallest gap over each element, its inside included if it may touch; infinite where no obstacle is
+        near."""
+        return self.look(shape).least
 
-    def _least(self, shape, counts, within):
-        """(n,) smallest gap over each element, at so many (n,) samples each and at its ends; infinite where no obstacle
-        is ``within`` a distance (n,)."""
-        within = np.append(np.repeat(within, counts), within[-1])
-        _, gaps = self.gaps(_fine(shape, counts), within)
-        least = gaps.min(axis=0, initial=np.inf)
-        begin = np.append(0, np.cumsum(counts))
-        return np.minimum(np.minimum.reduceat(least[:-1], begin[:-1]), least[begin[1:]])
+    def look(self, shape: Shape, reach=0.0) -> Look:
+        """At all that is nearer than ``reach`` to a shape, and at all that it may touch. Asked for often of one
+        shape."""
+        seen = self._seen.get(shape)
+        if seen is None or seen.reach < reach:
+            seen = self._seen[shape] = Look.at(self, shape, reach)
+        return seen
 
-    def features(self, shape: Shape, reach=NEAR, leaving=False):
-        """(n+1, contacts, 12) of a shape's nodes, those nearer than ``reach``, and which of the scene's obstacles
-        (n+1, contacts) each belongs to, −1 for none; or None."""
-        found = self.nearest(shape.position, reach + self.keep, held_nodes(self.scene, shape))
-        gap = self._gaps(shape, found)
-        near = gap < reach
-        count = int(near.sum(axis=0).max(initial=0))
-        if count == 0:
-            return None
-        count = next(n for n in (1, 2, MOST) if n >= min(count, MOST))
-        rows = np.tile(contact.NONE, (*gap.shape, 1))
-        for row, each, left in zip(rows, found, gap, strict=True):
-            row[each.where] = contact.parameters(each.what, self.keep)
-            if leaving:
-                leave(row, each, shape.position, left, self.keep, self._nearest)
-        order = np.argsort(gap, axis=0)[:count].T
-        nodes = np.arange(len(gap[0]))[:, None]
-        if order.shape[1] < count:
-            order = np.pad(order, ((0, 0), (0, count - order.shape[1])), mode="edge")
-        chosen = rows[order, nodes]
-        unused = ~near[order, nodes]
-        unused[:, 1:] |= order[:, 1:] == order[:, :-1]
-        chosen[unused] = contact.NONE
-        which = self.indices[[each.obstacle for each in found]]
-        return chosen, np.where(unused, -1, which[order])
+    def places(self, shape: Shape, reach=NEAR, leaving=False, pushed=None) -> Places | None:
+        """Where the elements of a shape keep away from what is nearer than ``reach``; None if nothing is (see
+        ``placing``)."""
+        return places(self, self.look(shape, reach), reach, leaving, pushed)
 
 
 def held_nodes(scene: Scene, shape: Shape) -> list[int]:
@@ -280,13 +237,3 @@ def held_nodes(scene: Scene, shape: Shape) -> list[int]:
     ends = [(scene.start, 0), (scene.end, len(shape.position) - 1)]
     held = [node for end, node in ends if not isinstance(end, Free)]
     return sorted({*held, *(joint.node for joint in shape.joints)})
-
-
-def _fine(shape, counts):
-    """A shape with samples between its nodes, so many (n,) for each element with its first node."""
-    begin = np.append(0, np.cumsum(counts))
-    part = np.arange(begin[-1]) - np.repeat(begin[:-1], counts)
-    within = np.repeat(shape.arc_length[:-1], counts) + part * np.repeat(
-        shape.steps / counts, counts
-    )
-    return shape.on(np.append(within, shape.arc_length[-1]))

@@ -1,47 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One solve of one scene on one mesh, and what is known about its answer."""
+"""What is known about the answer of one solve."""
 
-import time
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from ..errors import SolverMissingError
 from ..geometry import rotation
-from ..problem import Clamp, Ring, Scene
-from ..problem.reduce import Model
-from ..transcription import contact, layout
-from ..transcription.guess import gathered_at, hold, layers
-from ..transcription.nlp import Nlp, build, pack
+from ..transcription import arms, layout
+from ..transcription.nlp import Nlp
 from ..transcription.rows import SHORTEST
-from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
-from ..transcription.structure import Structure
-from ..transcription.supports import TIGHT
-from ..transcription.waypoints import breaks
 from . import backend, stability, strong_form
-from .own import Own, Touches
-from .surroundings import Surroundings
-
-THIN = 0.003
-"""Bending length √(EI/T), relative to the length, below which helix elements are used: over elements that are many of
-them long, strains that alternate from node to node cost an element of order 4 next to nothing."""
-
-LEADEN = 3e5
-"""Weight ratio above which fatrop was seen to correct its matrix without end, unless it starts near the answer."""
+from .own import Touches
 
 ACTING = 1e-6
 """Push of a bound, in units of force, below which it is none: the solvers leave their tolerance of 1e-9 over the
 distance to a bound that does not act."""
+FAINT = 1e-3
+"""Share of the largest push below which a place is not taken to touch."""
 MARGIN = 1.1
 """On the error estimate, which else is as often below the true error as above it, by up to a tenth (160 rows of
 `./run bench`)."""
-
-
-class TimeUpError(Exception):
-    """The time limit of a solve has passed; internal to this room."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +35,8 @@ class Trial:
     shape: Shape
     measured: float | None = None
     """error found by comparing meshes, where bounds act and the strong form does not hold as it is"""
-    owners: np.ndarray | None = None
-    """(n+1, contacts) which of the scene's obstacles each contact row keeps away from; −1 for none"""
+    places: arms.Places | None = None
+    """what keeps away from obstacles"""
 
     def measured_as(self, error: float | None) -> "Trial":
         """The same with its error measured; all else that has been read of it stays read."""
@@ -101,8 +81,7 @@ class Trial:
 
     @property
     def touches(self) -> bool:
-        by_others = self.owners is not None and self.contact_forces.any()
-        return bool(by_others or len(self.with_itself.nodes))
+        return bool(self.contact_forces.any() or len(self.with_itself.nodes))
 
     @cached_property
     def with_itself(self) -> Touches:
@@ -112,20 +91,55 @@ class Trial:
         return Touches.of(self.shape, self.values["links"], push)
 
     @cached_property
-    def pushes(self) -> np.ndarray:
-        """(n+1, 3) all that obstacles and the rod itself exert on each node, without units."""
-        return self.contact_forces.sum(axis=1) + self.with_itself.on_nodes(len(self.shape.position))
+    def touched(self) -> arms.Touched:
+        """Where its places are that keep away from obstacles."""
+        return arms.read(self.nlp, self.raw.x, self.values["arms"])
 
     @cached_property
     def contact_forces(self) -> np.ndarray:
-        """(n+1, contacts, 3) what the feature of each contact row exerts on each node, without units."""
-        rows, features = self.nlp.contact_rows, self.values["features"]
-        nodes = self.shape.position
-        if not rows.shape[1]:
-            return np.zeros((len(nodes), 0, 3))
-        push = np.where((rows >= 0) & self.acting[rows], -self.raw.multipliers[rows], 0.0)
-        slopes = [contact.slope(nodes, features[:, i]) for i in range(rows.shape[1])]
-        return push[..., None] * np.stack(slopes, axis=1)
+        """(n, contacts, 3) what obstacles exert on each element, without units."""
+        rows = self.nlp.contact_rows
+        if not rows.size:
+            return np.zeros((len(rows), 0, 3))
+        push = np.where(self.acting[rows], -self.raw.multipliers[rows], 0.0)
+        return push[..., None] * self.touched.slope
+
+    @cached_property
+    def contact_places(self) -> np.ndarray:
+        """(n, contacts) arc lengths at which it does so, relative to the length"""
+        if self.places is None:
+            return np.zeros(self.contact_forces.shape[:2])
+        return self.shape.arc_length[:-1, None] + self.places.beyond + self.touched.slid
+
+    def contact_runs(self, radius, owner=None) -> list[tuple[np.ndarray, np.ndarray]]:
+        """(elements, slots) of each place or stretch at which obstacles push, or one of them; what is less than a
+        diameter apart is one."""
+        there = self.contact_forces.any(axis=2)
+        if owner is not None:
+            there = there & (self.places.owners == owner)
+        elements, slots = np.nonzero(there)
+        apart = np.diff(self.contact_places[there])
+        parts = np.flatnonzero((np.diff(elements) > 1) & (apart > 2 * radius)) + 1
+        runs = zip(np.split(elements, parts), np.split(slots, parts), strict=True)
+        return [run for run in runs if len(run[0])]
+
+    @cached_property
+    def pushed(self) -> arms.Pushed | None:
+        """The places that obstacles push, but for what the solver leaves of its barrier beside them."""
+        size = np.linalg.norm(self.contact_forces, axis=2)
+        there = size > FAINT * size.max(initial=0.0)
+        if not there.any():
+            return None
+        places, touched = self.places, self.touched
+        return arms.Pushed(
+            np.nonzero(there)[0],
+            (places.beyond + touched.slid)[there],
+            touched.position[there],
+            touched.gap[there],
+            places.features[there],
+            places.slides[there],
+            places.owners[there],
+        )
 
     @cached_property
     def slipped(self) -> tuple[int, ...]:
@@ -160,142 +174,3 @@ class Trial:
     @cached_property
     def stable(self) -> bool:
         return stability.proven(*self._program) or self.lowest_mode[0] > -stability.ZERO
-
-
-@dataclass
-class Problem:
-    """A scene ready to be solved: its model, its scaling, its clock and its count of iterations."""
-
-    scene: Scene
-    model: Model
-    scaling: Scaling
-    layered: list
-    """of each stretch, how it bends if it may do so in layers only (see ``transcription.guess.layers``)"""
-    deadline: float
-    iterations: int = field(default=0)
-    solve_time: float = field(default=0.0)
-    build_time: float = field(default=0.0)
-    watch: Callable[[str], None] | None = field(default=None)
-    """called before each run of a solver; see ``find_equilibrium``"""
-    apart: bool = field(default=False)
-    """whether the cable is kept from running through itself; first it is solved as if it need not"""
-    parts: bool = field(default=True)
-    """whether a cable that runs through itself is brought apart from itself"""
-    formed: bool = field(default=False)
-    """whether the cable must be formed to keep its bend radius; first it is solved as if it need not"""
-
-    @classmethod
-    def of(cls, scene: Scene, model: Model, watch=None, pull=0.0) -> "Problem":
-        """``pull``: force that is known to occur [N]."""
-        deadline = time.perf_counter() + scene.options.time_limit
-        scaling = Scaling.of(scene)
-        layered = layers(scene, scaling)
-        pulls = [np.linalg.norm(each.pull) for each in hold(layered)]
-        scaling = scaling.pulled(max(pulls, default=0.0)).fit_for(pull)
-        return cls(scene, model, scaling, layered, deadline, watch=watch)
-
-    @cached_property
-    def breaks(self) -> tuple[float, ...]:
-        """Arc lengths of the supports, relative to the length; guessed where the cable slides."""
-        return breaks(self.scene, self.scaling)
-
-    @cached_property
-    def narrow(self) -> list[tuple[float, float]]:
-        """Places and widths of the bending layers that a mesh must gather nodes at."""
-        return gathered_at(self.scene, self.scaling, self.layered)
-
-    @cached_property
-    def surroundings(self) -> Surroundings:
-        return Surroundings(self.scene, self.scaling)
-
-    @cached_property
-    def own(self) -> Own:
-        return Own(self.scene, self.scaling)
-
-    @property
-    def scheme(self) -> str:
-        wanted = self.scene.options.scheme
-        if wanted != "auto":
-            return wanted
-        return "helix" if self.scaling.tightness > THIN**-2 else "magnus"
-
-    @property
-    def solvers(self) -> list[str]:
-        wanted = self.scene.options.solver
-        names = ["fatrop", "ipopt"] if wanted == "auto" else [wanted]
-        present = [name for name in names if backend.available(name)]
-        if not present:
-            raise SolverMissingError(
-                f"This CasADi has no plug-in {' or '.join(names)}; install the casadi wheel from PyPI"
-            )
-        return present
-
-    def structure(self, stretches, contacts=0, links=()) -> Structure:
-        scene = self.scene
-        return Structure(
-            self.scheme,
-            stretches,
-            scene.start.kind,
-            scene.end.kind,
-            self.model.strains,
-            tuple(self._support_kind(support) for support in scene.supports),
-            tuple(support.slides for support in scene.supports),
-            contacts,
-            self.formed,
-            links,
-        )
-
-    def _support_kind(self, support):
-        if isinstance(support, Ring):
-            tight = self.scaling.play(support, self.scene.rod) < TIGHT
-            return "eyelet" if tight else "ring"
-        return "clamp" if isinstance(support, Clamp) else "sleeve"
-
-    def solve(
-        self, start: Shape, *, load=1.0, reach=1.0, fallback=True, features=None, links=None
-    ) -> Trial | None:
-        """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
-
-        ``load`` scales gravity, and with it the units of force, and ``reach`` the distance of the ends: continuation
-        goes through them, and rather takes a shorter step than fall back to the slower solver. ``features`` (n+1,
-        contacts, 12) are what the nodes keep away from (see ``transcription.contact``), ``links`` what of the cable
-        keeps away from itself.
-        """
-        contacts = 0 if features is None else features.shape[1]
-        nlp = self._built(start, contacts, () if links is None else links.pairs)
-        posed = self.surroundings.posed
-        values = self.scaling.loaded(load).parameters(posed, start, load, reach)
-        values["features"], values["links"] = features, links
-        parameters = pack(nlp.structure, values, start.steps)
-        x0, lam0 = layout.variables(nlp, start), layout.multipliers(nlp, start, values["weight"])
-        for name, near in self._attempts(nlp, start, fallback):
-            if time.perf_counter() > self.deadline:
-                raise TimeUpError
-            if self.watch is not None:
-                self.watch(f"{self.scene.rod.length:.4g} m in {len(start.steps)} elements")
-            self.build_time += backend.first_use(nlp.structure, name, near)
-            raw = backend.minimise(nlp, name, near, x0, parameters, lam0)
-            self.iterations += raw.iterations
-            self.solve_time += raw.time
-            if raw.success:
-                found = raw.x, raw.multipliers
-                shape = layout.shape_of(nlp, values, parameters, start.steps, *found)
-                return Trial(nlp, values, parameters, raw, shape)
-        return None
-
-    def _attempts(self, nlp, start, fallback):
-        """(solver, whether it takes the start for nearly the solution), in order."""
-        if nlp.structure.links:
-            return [("ipopt", False)]
-        names = self.solvers if fallback else self.solvers[:1]
-        if start.force is None and self.scaling.weight_ratio > LEADEN:
-            names = [name for name in self.solvers if name != "fatrop"] or names
-        near = start.force is not None and not nlp.equality.all()
-        first = [("fatrop", True)] if near and names[0] == "fatrop" else []
-        return [*first, *((name, False) for name in names)]
-
-    def _built(self, start, contacts, links):
-        begin = time.perf_counter()
-        nlp = build(self.structure(start.stretches, contacts, links))
-        self.build_time += time.perf_counter() - begin
-        return nlp

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows that keep nodes away from obstacles.
+"""Rows that keep places of a cable away from obstacles.
 
 A feature of an obstacle (see ``problem.obstacles``) is a face, an edge or a corner, sharp or round; all are one quadric
 
@@ -16,7 +16,7 @@ the node's z, (P² − |r − c|²)/2P is the same quadric: n = P' a, α = −1/
 import casadi as ca
 import numpy as np
 
-from ..geometry.nearest import FLAT, HOLE, LINE, Nearest
+from ..geometry.nearest import FLAT, HOLE, LINE
 
 PARAMETERS = 12
 """c (3), n (3), a (3), α, β, d of one feature"""
@@ -26,16 +26,27 @@ LINK_PARAMETERS = PARAMETERS + 1
 PAST_RIM = 0.99
 """Way beyond the rim of a hole, in distances to keep, from which it is not in the way."""
 
+BENT = 4.0
+"""Largest P'', in inverse distances to keep: farther out P bends more with every step, and a parabola that bends as
+much would be wider than the hole before it."""
+
 NONE = np.array([0.0] * 11 + [-1.0])
 """Of a feature that is never in the way."""
 
 
 def gap(r, feature):
-    """g of a node from the column of a feature's parameters."""
+    """g of a place from the column of a feature's parameters."""
     offset = r - feature[:3]
     about = ca.dot(feature[6:9], offset)
     round_part = feature[9] * ca.dot(offset, offset) - feature[10] * about**2
     return ca.dot(feature[3:6], offset) + round_part / 2 - feature[11]
+
+
+def steepest(r, feature):
+    """Gradient of g at a place from the column of a feature's parameters."""
+    offset = r - feature[:3]
+    about = ca.dot(feature[6:9], offset)
+    return feature[3:6] + feature[9] * offset - feature[10] * about * feature[6:9]
 
 
 def link_gap(nodes, link):
@@ -63,7 +74,7 @@ def parameters(nearest, keep) -> np.ndarray:
     )
     holes = nearest.feature == HOLE
     if holes.any():
-        rows[holes] = _in_hole(Nearest(*(each[holes] for each in vars(nearest).values())), keep)
+        rows[holes] = _in_hole(nearest.taken(holes), keep)
     return rows
 
 
@@ -73,13 +84,14 @@ def _in_hole(nearest, keep):
     past = beyond >= PAST_RIM * keep
     aside = np.sqrt(keep**2 - np.where(past, 0.0, beyond) ** 2)
     scale, inverse = aside / keep, 1 / (nearest.radius - aside)
+    bent = np.where(beyond == 0, 0.0, np.minimum(keep**2 / aside**3, BENT / keep))
     rows = np.column_stack(
         [
             nearest.center,
             (beyond / keep)[:, None] * direction,
             direction,
             -scale * inverse,
-            -inverse / scale,
+            -inverse / scale - bent * scale,
             -scale / inverse / 2,
         ]
     )
@@ -101,3 +113,9 @@ def slope(r, features) -> np.ndarray:
     offset = r - c
     about = np.einsum("ki,ki->k", a, offset)[:, None]
     return n + features[:, 9:10] * offset - features[:, 10:11] * about * a
+
+
+def bent(direction, features) -> np.ndarray:
+    """(m, 3) how that gradient changes along directions (m, 3)."""
+    about = np.einsum("ki,ki->k", features[:, 6:9], direction)[:, None]
+    return features[:, 9:10] * direction - features[:, 10:11] * about * features[:, 6:9]

@@ -4,6 +4,7 @@
 import numpy as np
 
 from ..geometry import rotation
+from . import arms
 from .nlp import SCHEMES, Nlp
 from .shape import Joint, Shape
 
@@ -20,7 +21,7 @@ def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
         for joint in shape.joints:
             x[numbers.first[joint.node]] = joint.strain[kept]
     else:
-        x[numbers.first] = _element_strains(shape)[:, kept]
+        x[numbers.first] = shape.strains_between()[:, kept]
     if structure.slides:
         places = shape.arc_length[structure.ends]
         lengths = np.diff(places)
@@ -29,14 +30,6 @@ def variables(nlp: Nlp, shape: Shape) -> np.ndarray:
         x[numbers.stretch[joints]] = lengths[1:]
     x[numbers.states] = np.hstack(nodes)
     return x
-
-
-def _element_strains(shape):
-    """(n, 6) constant over each element: curvature and twist that turn one node's frame into the next."""
-    strain = np.vstack([(part.strain[1:] + part.strain[:-1]) / 2 for part in shape.parts()])
-    turns = rotation.multiply(rotation.conjugate(shape.quaternion[:-1]), shape.quaternion[1:])
-    strain[:, :3] = rotation.logarithm(turns) / shape.steps[:, None]
-    return strain
 
 
 def multipliers(nlp: Nlp, shape: Shape, weight) -> np.ndarray:
@@ -94,11 +87,13 @@ def shape_of(nlp: Nlp, values: dict, parameters, steps, x, lam) -> Shape:
     beyond = firsts + 1
     lengths = (arc_length[beyond] - arc_length[firsts])[:, None]
     means = nlp.mean_function(x, parameters)[0].reshape(3, -1).T
-    leaving = force[beyond] + lengths * weight
+    pushed, turned = _pushes(nlp, values, x, lam, firsts)
+    leaving = force[beyond] + lengths * weight + pushed
     turning = (
         moment[beyond]
         + rotation.cross(position[beyond] - position[firsts], force[beyond])
         + rotation.cross(means, weight) * lengths
+        + turned
     )
     force[0], moment[0] = leaving[0], turning[0]
     after = None
@@ -114,6 +109,15 @@ def shape_of(nlp: Nlp, values: dict, parameters, steps, x, lam) -> Shape:
         for j, node in enumerate(structure.joints, start=1)
     )
     return Shape(arc_length, position, quaternion, strain, force, moment, joints)
+
+
+def _pushes(nlp, values, x, lam, elements):
+    """Force and moment about the first node (k, 3) that obstacles exert on some elements."""
+    if not nlp.structure.contacts:
+        return 0.0, 0.0
+    push = -lam[nlp.contact_rows[elements]][..., None]
+    touched = arms.read(nlp, x, values["arms"])
+    return tuple((push * part[elements]).sum(axis=1) for part in (touched.slope, touched.turn))
 
 
 def _read_strains(nlp, values, x):

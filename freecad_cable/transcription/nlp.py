@@ -46,7 +46,7 @@ class Nlp:
     gaps: np.ndarray
     """(n,) first row of each gap"""
     contact_rows: np.ndarray
-    """(n+1, contacts) rows; −1 at nodes that are held"""
+    """(n, contacts) rows of the elements"""
     link_rows: np.ndarray
     """(links,) rows that keep the rod away from itself"""
     stage_sizes: tuple[tuple[int, int, int], ...]
@@ -116,18 +116,15 @@ def pack(structure, values, steps):
         steps = steps / np.repeat(np.add.reduceat(steps, starts), structure.stretches)
     named = [np.ravel(values[name]) for name in PARAMETERS]
     held = [np.ravel(each[name]) for each in values["supports"] for name in supports.PARAMETERS]
-    features = [np.ravel(values["features"])] if structure.contacts else []
+    arms = [np.ravel(values["arms"])] if structure.contacts else []
     links = [np.ravel(values["links"].parameters)] if structure.links else []
-    return np.concatenate([*named, *held, steps, *features, *links])
+    return np.concatenate([*named, *held, steps, *arms, *links])
 
 
 @lru_cache(maxsize=64)
 def build(structure: Structure) -> Nlp:
     """Write the program of a structure; it is kept."""
     writer = Writer(structure)
-    contact_rows = np.full((structure.elements + 1, structure.contacts), -1)
-    for node, rows in writer.contact_rows.items():
-        contact_rows[node] = rows
     return Nlp(
         structure=structure,
         numbers=writer.numbers,
@@ -143,7 +140,7 @@ def build(structure: Structure) -> Nlp:
         gradient=writer.gradient,
         equality=np.array(writer.equality),
         gaps=writer.gaps,
-        contact_rows=contact_rows,
+        contact_rows=np.array(writer.contact_rows, int),
         link_rows=writer.link_rows,
         stage_sizes=tuple(writer.stage_sizes),
     )

@@ -101,6 +101,21 @@ class Shape:
             cut(self.moment, (lambda m: m - joint.moment) if known else None),
         )
 
+    def strains_at_ends(self) -> tuple[np.ndarray, np.ndarray]:
+        """(n, 6) at the first and at the last node of each element"""
+        first = self.strain[:-1].copy()
+        for joint in self.joints:
+            first[joint.node] = joint.strain
+        return first, self.strain[1:]
+
+    def strains_between(self) -> np.ndarray:
+        """(n, 6) constant over each element: curvature and twist that turn one node's frame into the next."""
+        first, last = self.strains_at_ends()
+        strain = (first + last) / 2
+        turns = rotation.multiply(rotation.conjugate(self.quaternion[:-1]), self.quaternion[1:])
+        strain[:, :3] = rotation.logarithm(turns) / self.steps[:, None]
+        return strain
+
     def in_units(self, factor) -> "Shape":
         """The same with forces and moments in other units: ``factor`` times as many."""
         if self.force is None:

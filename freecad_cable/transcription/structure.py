@@ -26,7 +26,7 @@ class Structure:
     sliding: tuple[bool, ...] = ()
     """of each support, whether its arc length is an unknown"""
     contacts: int = 0
-    """features of obstacles that each node keeps away from"""
+    """features of obstacles that each element keeps away from"""
     bend_limit: bool = False
     """whether the curvature is bounded"""
     links: tuple[tuple[int, int], ...] = ()

@@ -10,7 +10,7 @@ them (see ``across``) and their values sorted into place, so that writing costs 
 import casadi as ca
 import numpy as np
 
-from . import contact, supports
+from . import arms, contact, supports
 from .across import across
 from .element_functions import element
 from .numbering import Numbering
@@ -26,8 +26,8 @@ PARAMETERS = {
     "end_quaternion": 4,
     "curvature_limit": 1,
 }
-"""Sizes of the parameters beside those of the supports, the element lengths and the features of obstacles, all without
-units (see ``scaling``)."""
+"""Sizes of the parameters beside those of the supports, the element lengths and the places that keep away from
+obstacles, all without units (see ``scaling``)."""
 
 
 def from_triplets(shape, rows, columns, values) -> ca.MX:
@@ -77,33 +77,29 @@ class Writer:
 
     def _read_parameters(self):
         structure = self.structure
-        features = contact.PARAMETERS * structure.contacts * (structure.elements + 1)
+        places = arms.PARAMETERS * structure.contacts * structure.elements
         sizes = [*PARAMETERS.values()]
         sizes += [*supports.PARAMETERS.values()] * len(structure.supports)
-        sizes += [structure.elements, features, contact.LINK_PARAMETERS * len(structure.links)]
+        sizes += [structure.elements, places, contact.LINK_PARAMETERS * len(structure.links)]
         self.p = ca.MX.sym("p", sum(sizes))
         parts = iter(ca.vertsplit(self.p, np.concatenate([[0], np.cumsum(sizes)]).tolist()))
         self.named = {name: next(parts) for name in PARAMETERS}
         self.supports = [
             ca.vertcat(*(next(parts) for _ in supports.PARAMETERS)) for _ in structure.supports
         ]
-        self.steps, self.features, self.links = (next(parts) for _ in range(3))
+        self.steps, self.places, self.links = (next(parts) for _ in range(3))
 
     def _number_rows(self):
         """Every stage has its gap, equations, bounds of what holds it, of obstacles, and of the curvature."""
         structure, numbers = self.structure, self.numbers
         n, nx = structure.elements, numbers.nx
-        free = np.ones(n + 1, bool)
-        free[[0, n]] = structure.start == "free", structure.end == "free"
-        free[list(structure.joints)] = False
-        self.touching = np.flatnonzero(free)
         if numbers.continuous:
             self.bent_at = [[place] for place in numbers.states[:, 7]]
             for node in structure.joints:
                 self.bent_at[node].append(numbers.first[node, 0])
         else:
             self.bent_at = [*([place] for place in numbers.first[:, 0]), []]
-        equality, self.gaps, self.held_rows, self.contact_rows = [], [], {}, {}
+        equality, self.gaps, self.held_rows, self.contact_rows = [], [], {}, []
         self.bend_rows, sizes = [], []
         for k in range(n + 1):
             if k < n:
@@ -114,8 +110,8 @@ class Writer:
                 equations, bounds = self.holders[k].equations, self.holders[k].bounds
                 self.held_rows[k] = range(begin, begin + equations + bounds)
                 equality += [True] * equations + [False] * bounds
-            if structure.contacts and free[k]:
-                self.contact_rows[k] = range(len(equality), len(equality) + structure.contacts)
+            if k < n:
+                self.contact_rows.append(range(len(equality), len(equality) + structure.contacts))
                 equality += [False] * structure.contacts
             if structure.bend_limit:
                 self.bend_rows += range(len(equality), len(equality) + len(self.bent_at[k]))
@@ -251,9 +247,10 @@ class Writer:
             multipliers = self.multipliers[rows.tolist()]
             self._add_hessian(variables[None], bent(*given, multipliers))
 
-    def _bounds(self, gap, variables, parameters, rows):
-        """Bounds gap(variables, parameters) ≥ 0: ``variables`` (bounds, c), ``parameters`` (bounds or 1, …)."""
-        value, slope, bent = bounds(gap, variables.shape[1], parameters.shape[1])
+    def _bounds(self, functions, variables, parameters, rows):
+        """Bounds of ``functions`` (see ``rows.bounds``) over ``variables`` (bounds, c) and ``parameters`` (bounds or 1,
+        …)."""
+        value, slope, bent = functions
         given = self._take(variables), parameters
         self.row_terms.append((rows, ca.vec(*across(value, *given))))
         columns = np.tile(rows, variables.shape[1]), variables.T.ravel()
@@ -262,13 +259,14 @@ class Writer:
         self._add_hessian(variables, bent)
 
     def _contacts(self):
-        count = self.structure.contacts
-        nodes = np.repeat(self.touching, count)
-        rows = np.concatenate([np.array(self.contact_rows[k]) for k in self.touching])
-        slots = nodes * count + np.tile(np.arange(count), len(self.touching))
-        features = slots[:, None] * contact.PARAMETERS + np.arange(contact.PARAMETERS)
-        places = self.numbers.states[nodes, :3]
-        self._bounds(contact.gap, places, self._take(features, self.features), rows)
+        numbers, count = self.numbers, self.structure.contacts
+        strains = [numbers.first, numbers.last] if numbers.continuous else [numbers.first]
+        variables = np.hstack([numbers.states[:-1, :7], *(each[:, :2] for each in strains)])
+        given = ca.reshape(self.places, arms.PARAMETERS, count * len(variables)).T
+        rows = np.array(self.contact_rows).ravel()
+        self._bounds(
+            arms.functions(variables.shape[1]), np.repeat(variables, count, axis=0), given, rows
+        )
 
     def _links(self):
         """Between nodes and elements of the rod itself, after the rows of all stages."""
@@ -276,10 +274,11 @@ class Writer:
         places = self.numbers.states[:, :3]
         variables = np.hstack([places[links[:, 0]], places[links[:, 1]], places[links[:, 1] + 1]])
         given = ca.reshape(self.links, contact.LINK_PARAMETERS, len(links)).T
-        self._bounds(contact.link_gap, variables, given, self.link_rows)
+        functions = bounds(contact.link_gap, variables.shape[1], contact.LINK_PARAMETERS)
+        self._bounds(functions, variables, given, self.link_rows)
 
     def _bends(self):
         places = np.concatenate([np.array(each, int) for each in self.bent_at])
         variables = places[:, None] + np.arange(2)
         limit = self.named["curvature_limit"]
-        self._bounds(bend_left, variables, limit, np.array(self.bend_rows))
+        self._bounds(bounds(bend_left, 2, 1), variables, limit, np.array(self.bend_rows))

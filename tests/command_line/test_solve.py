@@ -63,16 +63,21 @@ def test_a_bend_that_is_too_sharp_is_said_and_is_no_failure(scene_file, tmp_path
 
 
 def test_the_obstacle_that_is_too_near_is_named(scene_file, tmp_path, data, capsys):
-    """A pin that a mesh of eight elements leaves between two nodes."""
+    """A small face that a mesh of eight elements leaves between two nodes."""
     data["cable"] |= {"length": 0.44, "radius": 0.002, "mass_per_length": 0.05}
     data["start"] = {"kind": "pinned", "position": [0, 0, 0]}
     data["end"] = {"kind": "pinned", "position": [0.4, 0, 0]}
     data["options"]["elements"] = 8
     far = {"kind": "sphere", "center": [0.2, 0, 0.1], "radius": 0.002}
-    pin = {"kind": "sphere", "center": [0.21, 0, -0.078], "radius": 0.002}
+    face = {
+        "kind": "box",
+        "position": [0.23, 0, -0.088],
+        "quaternion": [1, 0, 0, 0],
+        "size": [0.03, 0.1, 0.02],
+    }
     target = tmp_path / "solution.json"
-    assert main(["solve", str(scene_file(obstacles=[far, pin])), "-o", str(target)]) == 3
-    assert "At 0.23 m the cable is" in capsys.readouterr().err
+    assert main(["solve", str(scene_file(obstacles=[far, face])), "-o", str(target)]) == 3
+    assert "At 0.239 m the cable is" in capsys.readouterr().err
     assert "nearer to obstacles[1] than" in json.loads(target.read_text())["message"]
 
 

@@ -135,7 +135,8 @@ def test_a_mesh_of_a_cylinder(solve):
 def test_clearance_is_a_thicker_obstacle(solve):
     one = solve(BALL, clearance=0.01)
     other = solve(Sphere(BALL.center, BALL.radius + 0.01))
-    assert np.abs(one.position - other.position).max() < 1e-9
+    # Places are looked for within the distance to keep, which is not the same.
+    assert np.abs(one.position - other.position).max() < one.position_error + other.position_error
     assert one.min_clearance == pytest.approx(0.01, abs=0.01 * 0.0035)
 
 
@@ -176,8 +177,12 @@ def test_rigid_motion(solve):
         obstacles=(Sphere(there(BALL.center), BALL.radius),),
     )
     solution = find_equilibrium(moved).raise_for_status()
-    # The start is swayed along an eigenvector, which rounding turns: each is within the tolerance of the answer.
-    assert np.abs(solution.position - there(here.position)).max() < 2e-4 * 0.73
+    # The start is swayed along an eigenvector, which rounding turns: each is within the tolerance of the answer, and
+    # its nodes are gathered elsewhere.
+    curve = CubicHermiteSpline(
+        solution.arc_length, solution.position, rotation.tangent(solution.quaternion)
+    )
+    assert np.abs(curve(here.arc_length) - there(here.position)).max() < 2e-4 * 0.73
     assert solution.energy.total == pytest.approx(here.energy.total, rel=1e-5)
 
 

@@ -10,8 +10,8 @@ from freecad_cable.geometry import rotation
 from freecad_cable.problem import Clamp, Ring, Sleeve
 from freecad_cable.problem.reduce import reduce
 from freecad_cable.solve.leading import led
+from freecad_cable.solve.problem import Problem
 from freecad_cable.solve.search import find
-from freecad_cable.solve.trial import Problem
 
 ASIDE = np.array([0.03, -0.02, 0.01])
 TURN = rotation.exponential([0.3, -0.2, 0.1])

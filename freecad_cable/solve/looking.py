@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A look at the obstacles around a shape: how near they come to its elements, and where."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
+from ..geometry import rotation
+from ..transcription.shape import Shape
+from .leaving import Near
+
+CLOSER = 0.25
+"""Distance between samples, in radii of the cable, where it may touch: of an edge 1/128 of a radius goes between."""
+FEWEST, MOST_INSIDE = 4, 64
+"""Samples of an element where it may touch: at least so many beside a node that is held, at most so many."""
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """``fine``: the shape with samples inside the elements that may touch. ``begin`` (n+1,): the samples that are its
+    nodes. ``found``: what is nearest of each obstacle that is near. ``gaps`` (obstacles, samples): what is left of the
+    distance to keep, infinite where that does not matter. ``bound`` (n,): no gap inside an element is less."""
+
+    reach: float
+    fine: Shape
+    begin: np.ndarray
+    found: list[Near]
+    gaps: np.ndarray
+    bound: np.ndarray
+
+    @classmethod
+    def at(cls, around_it, shape, reach) -> "Look":
+        """At all that is nearer than ``reach`` to a node, and all that an element may touch."""
+        held, radius, steps = around_it.held(shape), around_it.radius, shape.steps
+        beside = np.maximum(np.append(steps, 0.0), np.append(0.0, steps))
+        within = np.maximum(reach, beside + around_it.keep) + around_it.keep
+        found = around_it.nearest(shape.position, within, held)
+        least = around_it.gaps(shape, found).min(axis=0, initial=np.inf)
+        # Between two nodes no gap is less than at the nearer by more than half their distance; one that is held says
+        # nothing of what is beside it.
+        half, fewest = steps / 2, np.ones(len(steps))
+        for node in held:
+            both = slice(max(node - 1, 0), node + 1)
+            half[both], fewest[both] = steps[both], FEWEST
+        bound = np.minimum(least[:-1], least[1:]) - half
+        doubtful = bound < 0
+        counts = np.ceil(steps / (CLOSER * radius)).clip(fewest, MOST_INSIDE)
+        counts = np.where(doubtful, counts, 1).astype(int)
+        begin = np.append(0, np.cumsum(counts))
+        if begin[-1] == len(steps):
+            return cls(reach, shape, begin, found, around_it.gaps(shape, found), bound)
+        fine = sampled(shape, counts)
+        inside = np.ones(len(fine.arc_length), bool)
+        inside[begin] = False
+        within = np.where(inside, 2 * around_it.keep, -np.inf)
+        closely = {near.obstacle: near for near in around_it.nearest(fine.position, within)}
+        merged = [near.at(begin[near.where]).and_(closely.get(near.obstacle)) for near in found]
+        return cls(reach, fine, begin, merged, around_it.gaps(fine, merged), bound)
+
+    @cached_property
+    def least(self) -> np.ndarray:
+        """(n,) smallest gap over each element, its nodes included."""
+        smallest = self.gaps.min(axis=0, initial=np.inf)
+        least = np.minimum.reduceat(smallest[:-1], self.begin[:-1])
+        return np.minimum(least, smallest[self.begin[1:]])
+
+    @cached_property
+    def curve(self) -> CubicHermiteSpline:
+        """The shape, with derivatives that belong to it: frames between nodes turn evenly, and tell less."""
+        s, nodes = self.fine.arc_length[self.begin], self.begin
+        tangents = rotation.tangent(self.fine.quaternion[nodes])
+        return CubicHermiteSpline(s, self.fine.position[nodes], tangents)
+
+    @property
+    def closely(self) -> np.ndarray:
+        """(n,) whether an element has been looked at inside"""
+        return np.diff(self.begin) > 1
+
+
+def sampled(shape, counts) -> Shape:
+    """A shape with samples between its nodes, so many (n,) for each element with its first node."""
+    begin = np.append(0, np.cumsum(counts))
+    part = np.arange(begin[-1]) - np.repeat(begin[:-1], counts)
+    start, apart = (
+        np.repeat(each, counts) for each in (shape.arc_length[:-1], shape.steps / counts)
+    )
+    return shape.on(np.append(start + part * apart, shape.arc_length[-1]))
