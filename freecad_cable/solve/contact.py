@@ -29,9 +29,9 @@ WELL_SETTLED = 1e-5
 how far. The solvers leave 1e-6."""
 TWICE = 2
 """Lookups after which features that pushed are kept, for they may be taking turns."""
-MORE = 4
-"""Lookups beyond those that are enough. Where the cable touches itself all are made: two parts side by side are a hinge
-that turns by a small gap over a short length."""
+HALVED = 0.5
+"""Share of the last change that another lookup, beyond those that are enough, must promise. Where the cable touches
+itself all are made: two parts side by side are a hinge that turns by a small gap over a short length."""
 AT_RIMS = 4
 """Starts that are tried where a cable is in nothing but rims of rings."""
 COARSER = 1.5
@@ -133,21 +133,35 @@ def _rank(trial, around_it):
 
 
 def resumed(problem: Problem, warm: Shape) -> Trial | None:
-    """The equilibrium from an earlier one in contact; None if there is none near, or none in contact."""
+    """The equilibrium from an earlier one in contact or near it; None if there is none near."""
     known = warm.error is not None
     problem.apart = known and problem.own.links(warm, problem.own.radius) is not None
     around_it = problem.surroundings
     if not known and around_it.between(warm).min(initial=np.inf) > around_it.radius:
         return None
     found = _settled(problem, warm, BESIDE, fallback=known)
-    if found is None or not found.touches or not found.stable:
+    if found is None or not found.stable:
         return None
+    if not found.touches:
+        return _clear(problem, found)
     error = np.inf
     if known and not around_it.deepest(found.shape):
         error = warm.error * _coarser(problem, found, warm)
         if error <= problem.scene.options.tolerance:
             return found.measured_as(error)
     return _gathered(problem, found, error)
+
+
+def _clear(problem, found):
+    """One that came near to obstacles and touches none, if that is all that there is to it."""
+    if (
+        problem.apart
+        or problem.scene.enforce_bend_radius
+        or problem.surroundings.deepest(found.shape)
+    ):
+        return None
+    right = found.error <= problem.scene.options.tolerance and not problem.own.depths(found.shape)
+    return found if right else None
 
 
 def _coarser(problem, trial, warm) -> float:
@@ -220,7 +234,7 @@ def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
     are given places; ``leaving``: whether they are to leave what they are in, and which way the cable leaves itself;
     ``fallback``: whether it is worth asking the slower solver too."""
     around_it = problem.surroundings
-    settled, near, more = SETTLED * around_it.radius, None, MORE
+    settled, near, last = SETTLED * around_it.radius, None, np.inf
     places = around_it.places(shape, reach, bool(leaving))
     for turn in range(PASSES):
         links = problem.own.links(shape, reach, leaving * (turn == 0)) if problem.apart else None
@@ -235,9 +249,10 @@ def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
             if max(stale, own) < WELL_SETTLED * around_it.radius:
                 return trial
             if not problem.apart:
-                near, more = trial, more - 1
-                if not more:
-                    return near
+                if near is not None and stale > HALVED * last:
+                    return trial
+                near = trial
+        last = stale
     return near
 
 

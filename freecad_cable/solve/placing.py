@@ -155,8 +155,13 @@ def _kept(around_it, look, near, pushed, features):
     if pushed is None:
         return None
     kept = pushed.owners == around_it.indices[near.obstacle]
-    now = contact.value(pushed.position, features[pushed.elements])
-    kept &= np.abs(pushed.gap - now) > EVEN * around_it.radius
+    now, even = contact.value(pushed.position, features[pushed.elements]), EVEN * around_it.radius
+    kept &= np.abs(pushed.gap - now) > even
+    if not kept.any():
+        return None
+    # One that the surface has left is none any more: it would keep the cable away for ever.
+    there = around_it.nearest_of(near.obstacle, pushed.position[kept]).distance - around_it.keep
+    kept[kept] = there < pushed.gap[kept] + even
     if not kept.any():
         return None
     elements, first = np.unique(pushed.elements[kept], return_index=True)
