@@ -133,8 +133,10 @@ def first_use(structure: Structure, name: str, near: bool) -> float:
     return time.perf_counter() - begin
 
 
-def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> RawSolution:
-    """Solve from ``x0`` and multipliers (both warm or both cold)."""
+def minimise(
+    nlp: Nlp, name: str, near: bool, x0, parameters, multipliers, hasty=False
+) -> RawSolution:
+    """Solve from ``x0`` and multipliers (both warm or both cold). ``hasty``: what fails is not tried less rigidly."""
     solver = built(nlp.structure, name, near)
     upper = np.where(nlp.equality, 0.0, np.inf)
     iterations, begin = 0, time.perf_counter()
@@ -157,7 +159,7 @@ def minimise(nlp: Nlp, name: str, near: bool, x0, parameters, multipliers) -> Ra
             multipliers = multipliers.copy()
             multipliers[form.rows] = form.prices(x0, parameters, multipliers)
         begun = form.start(x0, multipliers, units)
-        for rigidity in RIGID:
+        for rigidity in RIGID[:1] if hasty else RIGID:
             success, found, known = _held(form, asked, parameters, units, *begun, rigidity)
             if success:
                 break

@@ -7,6 +7,7 @@ features are looked up anew at the last solve until they stay.
 """
 
 from dataclasses import replace
+from functools import partial
 from itertools import islice
 
 import numpy as np
@@ -58,20 +59,17 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
         return trial
     lenient = around_it.without_rims()
     at_rims = lenient is not around_it and not lenient.deepest(trial.shape)
+    # Through a ring there is one way, and around an obstacle there are many.
+    leave = partial(_settled, problem, leaving=1, hasty=lenient is around_it)
     best = None
     try:
         for start in islice(detours(problem, trial, fixed or FIRST), AT_RIMS if at_rims else None):
             if fixed is None:
                 start = _fine_at_holes(problem, start)
-            found = _settled(problem, start, leaving=1)
+            found = leave(start)
             if found is None:
                 continue
-            found = descended(
-                found,
-                lambda shape: _settled(problem, shape, leaving=1),
-                0.05,
-                lambda t: t.stable,
-            )
+            found = descended(found, leave, 0.05, lambda t: t.stable)
             if fixed is None and around_it.deepest(found.shape) < around_it.radius:
                 found = _gathered(problem, found)
             if best is None or _rank(found, around_it) < _rank(best, around_it):
@@ -229,16 +227,16 @@ def finer(problem: Problem, trial: Trial) -> Trial:
     return best
 
 
-def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False):
+def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False, hasty=False):
     """Solve on the nodes of ``shape`` until the places are those of the solution. ``reach``: up to what gap elements
     are given places; ``leaving``: whether they are to leave what they are in, and which way the cable leaves itself;
-    ``fallback``: whether it is worth asking the slower solver too."""
+    ``fallback``: whether it is worth asking the slower solver too; ``hasty``: see ``Problem.solve``."""
     around_it = problem.surroundings
     settled, near, last = SETTLED * around_it.radius, None, np.inf
     places = around_it.places(shape, reach, bool(leaving))
     for turn in range(PASSES):
         links = problem.own.links(shape, reach, leaving * (turn == 0)) if problem.apart else None
-        trial = problem.solve(shape, places=places, links=links, fallback=fallback)
+        trial = problem.solve(shape, places=places, links=links, fallback=fallback, hasty=hasty)
         if trial is None:
             return near
         shape = trial.shape

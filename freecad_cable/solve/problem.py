@@ -126,12 +126,21 @@ class Problem:
         return "clamp" if isinstance(support, Clamp) else "sleeve"
 
     def solve(
-        self, start: Shape, *, load=1.0, reach=1.0, fallback=True, places=None, links=None
+        self,
+        start: Shape,
+        *,
+        load=1.0,
+        reach=1.0,
+        fallback=True,
+        hasty=False,
+        places=None,
+        links=None,
     ) -> Trial | None:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
 
         ``load`` scales gravity, and with it the units of force, and ``reach`` the distance of the ends: continuation
-        goes through them, and rather takes a shorter step than fall back to the slower solver. ``places``
+        goes through them, and rather takes a shorter step than fall back to the slower solver; ``hasty`` is where there
+        are other starts. ``places``
         keep away from obstacles, and ``links`` are what of the cable keeps away from itself.
         """
         contacts = 0 if places is None else places.owners.shape[1]
@@ -148,7 +157,7 @@ class Problem:
             if self.watch is not None:
                 self.watch(f"{self.scene.rod.length:.4g} m in {len(start.steps)} elements")
             self.build_time += backend.first_use(nlp.structure, name, near)
-            raw = backend.minimise(nlp, name, near, x0, parameters, lam0)
+            raw = backend.minimise(nlp, name, near, x0, parameters, lam0, hasty)
             self.iterations += raw.iterations
             self.solve_time += raw.time
             if raw.success:

@@ -60,7 +60,9 @@ class CopyTest(DocumentTest):
             other.recompute()
         self.assertEqual({obj.Document for obj in copy.OutListRecursive}, {other})
         self.assertEqual(copy.NodePosition, self.cable.NodePosition)
-        self.assertEqual(copy.Shape.Volume, self.cable.Shape.Volume)
+        # The same solid, swept once more: what differs is the order in which its faces are summed up.
+        volume = self.cable.Shape.Volume
+        self.assertAlmostEqual(copy.Shape.Volume, volume, delta=1e-12 * volume)
         copy.Start.Reference[0][0].Placement.Base += Vector(5, 0, 0)
         other.recompute()
         self.assertNear(copy.NodePosition[0], (0.005, 0, 0))
