@@ -34,16 +34,16 @@ class Look:
     def at(cls, around_it, shape, reach) -> "Look":
         """At all that is nearer than ``reach`` to a node, and all that an element may touch."""
         held, radius, steps = around_it.held(shape), around_it.radius, shape.steps
-        beside = np.maximum(np.append(steps, 0.0), np.append(0.0, steps))
-        within = np.maximum(reach, beside + around_it.keep) + around_it.keep
-        found = around_it.nearest(shape.position, within, held)
-        least = around_it.gaps(shape, found).min(axis=0, initial=np.inf)
         # Between two nodes no gap is less than at the nearer by more than half their distance; one that is held says
         # nothing of what is beside it.
         half, fewest = steps / 2, np.ones(len(steps))
         for node in held:
             both = slice(max(node - 1, 0), node + 1)
             half[both], fewest[both] = steps[both], FEWEST
+        beside = np.maximum(np.append(half, 0.0), np.append(0.0, half))
+        within = np.maximum(reach, beside) + around_it.keep
+        found = around_it.nearest(shape.position, within, held)
+        least = around_it.gaps(shape, found).min(axis=0, initial=np.inf)
         bound = np.minimum(least[:-1], least[1:]) - half
         doubtful = bound < 0
         counts = np.ceil(steps / (CLOSER * radius)).clip(fewest, MOST_INSIDE)

@@ -33,10 +33,12 @@ def places(around_it, look, reach, leaving=False, pushed=None) -> Places | None:
     ``leaving``: whether what is inside an obstacle is to leave it. ``pushed``: where obstacles pushed at last (see
     ``arms.Pushed``), which is kept: of two features that each alone let the cable into the obstacle at the other,
     both may be wanted."""
-    fine, begin, found = look.fine, look.begin, look.found
+    fine, begin, elements = look.fine, look.begin, np.arange(len(look.begin) - 1)
+    allowed = _allowed(around_it, look)
+    beside = allowed.min(axis=1, initial=np.inf) < max(reach, around_it.keep)
+    found, allowed = [look.found[i] for i in np.flatnonzero(beside)], allowed[beside]
     if not found:
         return None
-    allowed, elements = _allowed(around_it, look), np.arange(len(begin) - 1)
     last_held = np.searchsorted(begin, around_it.held(fine)[-1])
     where = np.tile(np.where(elements < last_held, begin[:-1], begin[1:]), (len(found), 1))
     if leaving:
@@ -139,14 +141,16 @@ def _pointed(around_it, look, near, gap):
     if not pointed.any():
         return None
     ends, slopes = ([each[pointed] for each in pair] for pair in (ends, slopes))
-    found = _nearest(
+    sites, features, bend = _nearest(
         around_it, near, look.curve, sites.of(pointed), ends, slopes, POINTED * own[pointed]
     )
     nodes = fine.arc_length[look.begin]
-    elements = np.searchsorted(nodes, found[0].arc_length, "right") - 1
-    # Of several on one element the first; the others are kept once they push.
-    elements, first = np.unique(elements.clip(0, len(nodes) - 2), return_index=True)
-    return elements, found[0].of(first), found[1][first], found[2][first]
+    elements = np.searchsorted(nodes, sites.arc_length, "right") - 1
+    # Of several on one element the nearest; the others are kept once they push.
+    order = np.argsort(contact.value(sites.position, features))
+    elements, first = np.unique(elements[order].clip(0, len(nodes) - 2), return_index=True)
+    first = order[first]
+    return elements, sites.of(first), features[first], bend[first]
 
 
 def _kept(around_it, look, near, pushed, features):
@@ -209,7 +213,7 @@ def _nearest(around_it, near, curve, sites, ends, slopes, least):
     """(sites, features (m, 12), bend of the gap (m,), at ``least`` so much) where an obstacle is nearest between two
     ``ends`` (m,), from ``sites`` between them; there the gap has these ``slopes`` (m,), negative and positive."""
     (low, high), (falls, rises) = ends, slopes
-    for _ in range(LOOKS):
+    for looks in range(1, LOOKS + 1):
         what = around_it.nearest_of(near.obstacle, sites.position)
         features = contact.parameters(what, around_it.keep)
         slope, own, bend = sites.along(features)
@@ -221,7 +225,7 @@ def _nearest(around_it, near, curve, sites, ends, slopes, least):
         then = low + share.clip(0.1, 0.9) * (high - low)
         newton = place - slope / np.where(bend > 0, bend, np.inf)
         then = np.where((own > 0) & (low <= newton) & (newton <= high), newton, then)
-        if (np.abs(then - place) < SAME * around_it.radius).all():
+        if looks == LOOKS or (np.abs(then - place) < SAME * around_it.radius).all():
             break
         sites = _Sites.at(curve, then)
     return sites, features, np.maximum(bend, least)
