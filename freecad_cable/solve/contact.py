@@ -25,9 +25,9 @@ PASSES = 12
 """Lookups of features after which an attempt ends."""
 SETTLED = 1e-3
 """Change of a gap, in radii of the cable, below which a feature has been looked up often enough."""
-WELL_SETTLED = 1e-5
-"""The same from which no more lookups are tried: a gap tells of a cable that slides along a round edge by the square of
-how far. The solvers leave 1e-6."""
+WELL_SETTLED, RIGHT = 1e-5, 0.01
+"""The same from which no more lookups are tried, and what it may be of the tolerance: a gap tells of a cable that
+slides along a round edge by the square of how far. The solvers leave 1e-6."""
 TWICE = 2
 """Lookups after which features that pushed are kept, for they may be taking turns."""
 HALVED = 0.5
@@ -233,6 +233,9 @@ def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False, hasty=False)
     ``fallback``: whether it is worth asking the slower solver too; ``hasty``: see ``Problem.solve``."""
     around_it = problem.surroundings
     settled, near, last = SETTLED * around_it.radius, None, np.inf
+    well = WELL_SETTLED * around_it.radius
+    if not problem.apart:
+        well = max(well, RIGHT * problem.scene.options.tolerance)
     places = around_it.places(shape, reach, bool(leaving))
     for turn in range(PASSES):
         links = problem.own.links(shape, reach, leaving * (turn == 0)) if problem.apart else None
@@ -244,7 +247,7 @@ def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False, hasty=False)
         stale = _staleness(around_it, trial, places)
         if stale < settled:
             own = _own_staleness(problem, trial) if problem.apart else 0.0
-            if max(stale, own) < WELL_SETTLED * around_it.radius:
+            if max(stale, own) < well:
                 return trial
             if not problem.apart:
                 if near is not None and stale > HALVED * last:

@@ -21,7 +21,8 @@ FEWEST, MOST_INSIDE = 4, 64
 class Look:
     """``fine``: the shape with samples inside the elements that may touch. ``begin`` (n+1,): the samples that are its
     nodes. ``found``: what is nearest of each obstacle that is near. ``gaps`` (obstacles, samples): what is left of the
-    distance to keep, infinite where that does not matter. ``bound`` (n,): no gap inside an element is less."""
+    distance to keep, infinite where that does not matter. ``bound`` (n,): no gap inside an element is less,
+    as far as its nodes tell; where that is less than 0 it is looked at inside."""
 
     reach: float
     fine: Shape
@@ -72,11 +73,6 @@ class Look:
         s, nodes = self.fine.arc_length[self.begin], self.begin
         tangents = rotation.tangent(self.fine.quaternion[nodes])
         return CubicHermiteSpline(s, self.fine.position[nodes], tangents)
-
-    @property
-    def closely(self) -> np.ndarray:
-        """(n,) whether an element has been looked at inside"""
-        return np.diff(self.begin) > 1
 
 
 def sampled(shape, counts) -> Shape:

@@ -184,7 +184,8 @@ class Surroundings:
             return np.inf
         look = self.look(shape)
         smallest = float(look.least.min())
-        doubtful = ~look.closely & ((look.bound < smallest) | np.isinf(smallest))
+        # What may touch has been looked at inside; of other elements the inside may yet be nearer than any node.
+        doubtful = (look.bound >= 0) & ((look.bound < smallest) | np.isinf(smallest))
         if doubtful.any():
             fine = sampled(shape, np.where(doubtful, INSIDE, 1))
             at_least = self._at_least(fine.position)
