@@ -22,7 +22,7 @@ class Look:
     """``fine``: the shape with samples inside the elements that may touch. ``begin`` (n+1,): the samples that are its
     nodes. ``found``: what is nearest of each obstacle that is near. ``gaps`` (obstacles, samples): what is left of the
     distance to keep, infinite where that does not matter. ``bound`` (n,): no gap inside an element is less,
-    as far as its nodes tell; where that is less than 0 it is looked at inside."""
+    as far as is known from its nodes; where that is less than 0 it is looked at inside."""
 
     reach: float
     fine: Shape
@@ -42,9 +42,9 @@ class Look:
             both = slice(max(node - 1, 0), node + 1)
             half[both], fewest[both] = steps[both], FEWEST
         beside = np.maximum(np.append(half, 0.0), np.append(0.0, half))
-        within = np.maximum(reach, beside) + around_it.keep
-        found = around_it.nearest(shape.position, within, held)
-        least = around_it.gaps(shape, found).min(axis=0, initial=np.inf)
+        known = np.maximum(reach, beside)
+        found = around_it.nearest(shape.position, known + around_it.keep, held)
+        least = np.minimum(around_it.gaps(shape, found).min(axis=0, initial=np.inf), known)
         bound = np.minimum(least[:-1], least[1:]) - half
         doubtful = bound < 0
         counts = np.ceil(steps / (CLOSER * radius)).clip(fewest, MOST_INSIDE)

@@ -29,8 +29,8 @@ LEAVING = 10.0
 ROOM = 0.2
 """Play of a ring, in radii of the cable, from which the rim of its hole is an obstacle as any other; with less the
 cable is squeezed by a rim that it passes at an angle."""
-INSIDE = 4
-"""Samples of an element in which the clearance is looked for."""
+INSIDE = (4, 64)
+"""Samples of an element in which the clearance is looked for: first, and where it may be."""
 
 
 class Surroundings:
@@ -184,19 +184,34 @@ class Surroundings:
             return np.inf
         look = self.look(shape)
         smallest = float(look.least.min())
-        # What may touch has been looked at inside; of other elements the inside may yet be nearer than any node.
-        doubtful = (look.bound >= 0) & ((look.bound < smallest) | np.isinf(smallest))
-        if doubtful.any():
-            fine = sampled(shape, np.where(doubtful, INSIDE, 1))
-            at_least = self._at_least(fine.position)
-            nearest = at_least.min(axis=0)
-            for i in np.argsort(nearest):
-                if nearest[i] - self.keep >= smallest:
-                    break
-                near = np.flatnonzero(at_least[:, i] - self.keep < smallest)
-                gap = self.gaps(fine, [self._near(i, fine.position, near)])
-                smallest = min(smallest, float(gap.min()))
+        # What may touch has been looked at inside, but no farther than twice the distance to keep; of other elements
+        # the inside may yet be nearer than any node.
+        bound = np.where(look.bound < 0, np.minimum(look.least, self.keep), look.bound)
+        for count in INSIDE:
+            doubtful = bound < smallest
+            if not doubtful.any():
+                break
+            fine = sampled(shape, np.where(doubtful, count, 1))
+            half = shape.steps / count / 2
+            smallest, least = self._smallest(fine, smallest, half[doubtful].max())
+            begin = np.append(0, np.cumsum(np.where(doubtful, count, 1)))
+            least = np.minimum(np.minimum.reduceat(least[:-1], begin[:-1]), least[begin[1:]])
+            bound = np.where(doubtful, least - half, np.inf)
         return smallest + self.keep - self.radius
+
+    def _smallest(self, fine, smallest, half):
+        """The smallest gap at samples of a shape, if it is smaller than ``smallest``, and the gap at each (samples,);
+        infinite where it is larger than that by more than ``half``."""
+        at_least = self._at_least(fine.position) - self.keep
+        nearest, least = at_least.min(axis=0), np.full(len(fine.position), np.inf)
+        for i in np.argsort(nearest):
+            if nearest[i] >= smallest + half:
+                break
+            near = np.flatnonzero(at_least[:, i] < smallest + half)
+            (gap,) = self.gaps(fine, [self._near(i, fine.position, near)])
+            least = np.minimum(least, gap)
+            smallest = min(smallest, float(gap.min()))
+        return smallest, least
 
     def deepest(self, shape: Shape) -> float:
         """How far the cable enters the distance to keep, without units; 0 if no more than it may."""

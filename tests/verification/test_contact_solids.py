@@ -140,6 +140,28 @@ def test_clearance_is_a_thicker_obstacle(solve):
     assert one.min_clearance == pytest.approx(0.01, abs=0.01 * 0.0035)
 
 
+@pytest.mark.parametrize("seed", [0, 30, 76, 95, 153, 159])
+def test_the_clearance_is_that_of_the_nearest_of_many(table_1, solved, seed):
+    """Boxes around the free cable, turned so that those around which their own boxes are nearer may be farther."""
+    if "free" not in solved:
+        solved["free"] = find_equilibrium(table_1(0.73)).raise_for_status()
+    free, random, boxes = solved["free"], np.random.default_rng(seed), []
+    curve = CubicHermiteSpline(free.arc_length, free.position, rotation.tangent(free.quaternion))
+    places = curve(np.linspace(0, 0.73, 20001))
+    while len(boxes) < 6:
+        centre = places[random.integers(len(places))] + 0.08 * random.normal(size=3)
+        turn, size = random.normal(size=4), random.uniform(0.005, 0.12, 3)
+        box = Box(centre, turn / np.linalg.norm(turn), size)
+        away = box.nearest(places).distance
+        # What is nearest to an end is that to which the end is fastened.
+        if away.min() > 0.0036 and 300 < np.argmin(away) < 19700:
+            boxes.append(box)
+    solution = find_equilibrium(replace(free.scene, obstacles=tuple(boxes)))
+    true = min(box.nearest(places).distance.min() for box in boxes) - 0.0035
+    # Between two of 64 samples of one of 32 elements nothing is nearer by more than half their distance.
+    assert solution.min_clearance - true == pytest.approx(0, abs=0.73 / 32 / 128)
+
+
 def test_obstacles_out_of_the_way_change_nothing(solve, table_1):
     alone = find_equilibrium(table_1(0.73))
     out_of_reach = Sphere([5, 5, 5], 0.1)
