@@ -39,8 +39,9 @@ COARSER = 1.5
 """Error of a mesh to its distance from a finer one by a third, at order 4 of which that has a third of the error."""
 CHANCE = 3.0
 """By how much more than first order the error of a mesh is taken to be, from the changes before it."""
-FIRST, APART = 64, 96
-"""Elements of the first mesh; at least so many where the cable touches itself."""
+FIRST, APART, HEAVY = 64, 96, 1e3
+"""Elements of the first mesh; at least so many of a finer one where the cable touches itself or is so heavy (w L³/EI)
+that it bends sharply where it leaves what it lies on."""
 MESHES = (48, 64, 96, 96, 128, 128, 192, 256, 256, 256, 256, 384, 384)
 LOST = 0.02
 """Change from mesh to mesh that is no refinement."""
@@ -59,8 +60,9 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
         return trial
     lenient = around_it.without_rims()
     at_rims = lenient is not around_it and not lenient.deepest(trial.shape)
-    # Through a ring there is one way, and around an obstacle there are many.
-    leave = partial(_settled, problem, leaving=1, hasty=lenient is around_it)
+    # Through a ring there is one way, and around an obstacle there are many; a heavy cable is hard to solve for anyway.
+    hasty = lenient is around_it and problem.scaling.weight_ratio < HEAVY
+    leave = partial(_settled, problem, leaving=1, hasty=hasty)
     best = None
     try:
         for start in islice(detours(problem, trial, fixed or FIRST), AT_RIMS if at_rims else None):
@@ -178,7 +180,8 @@ def _gathered(problem, found, error=np.inf):
     here = touching.places(problem, found)
     try:
         for elements in MESHES:
-            if problem.apart and elements < APART:
+            heavy = problem.scaling.weight_ratio > HEAVY
+            if (problem.apart or heavy) and elements < APART:
                 continue
             if not len(here):
                 return found.measured_as(None)  # touches nothing, so the strong form holds
