@@ -110,7 +110,7 @@ class Own:
         nodes, elements, share, beyond = self._approaches(shape, reach)
         if not len(nodes):
             return None
-        point, slope, _ = _on_cubic(shape, elements, share)
+        point, slope, _ = shape.cubic(elements, share)
         axis = slope / np.linalg.norm(slope, axis=1)[:, None]
         away = shape.position[nodes] - point
         distance = np.linalg.norm(away, axis=1)
@@ -147,14 +147,14 @@ class Own:
         beyond = after > 0
         share = np.where(beyond, 1.0, before / np.maximum(before - after, 1e-300))
         for _ in range(4):
-            point, slope, bend = _on_cubic(shape, elements, share)
+            point, slope, bend = shape.cubic(elements, share)
             apart = r[nodes] - point
             missed = np.einsum("ki,ki->k", apart, slope)
             change = np.einsum("ki,ki->k", slope, slope) - np.einsum("ki,ki->k", apart, bend)
             good = ~beyond & (change > 0)
             share = share + np.where(good, missed / np.where(good, change, 1.0), 0.0)
             share = np.clip(share, 0.0, 1.0)
-        apart = np.linalg.norm(r[nodes] - _on_cubic(shape, elements, share)[0], axis=1)
+        apart = np.linalg.norm(r[nodes] - shape.cubic(elements, share)[0], axis=1)
         there = s[elements] + share * steps[elements]
         good = (apart < 2 * self.radius + reach) & (there - s[nodes] > TIGHTEST * self.radius)
         held = held_nodes(self.scene, shape)
@@ -191,17 +191,3 @@ class Own:
 def _between(position, elements, share):
     share = share[:, None]
     return (1 - share) * position[elements] + share * position[elements + 1]
-
-
-def _on_cubic(shape, elements, share):
-    """Point, first and second derivative (k, 3) over the share of an element, of the cubic through its nodes."""
-    u, h = share[:, None], shape.steps[elements][:, None]
-    tangents = rotation.tangent(shape.quaternion)
-    r0, span = shape.position[elements], np.diff(shape.position, axis=0)[elements]
-    t0, t1 = h * tangents[elements], h * tangents[elements + 1]
-    c2, c3 = 3 * span - 2 * t0 - t1, t0 + t1 - 2 * span
-    return (
-        r0 + u * (t0 + u * (c2 + u * c3)),
-        t0 + u * (2 * c2 + 3 * u * c3),
-        2 * c2 + 6 * u * c3,
-    )

@@ -116,6 +116,26 @@ class Shape:
         strain[:, :3] = rotation.logarithm(turns) / self.steps[:, None]
         return strain
 
+    def cubic(self, elements, share):
+        """Point, first and second derivative (…, 3) over the share (…) of elements, by their numbers (…), of the cubic
+        that the positions and tangents of their nodes define."""
+        u, h = share[..., None], self.steps[elements][..., None]
+        begin, tangents = self.position[elements], rotation.tangent(self.quaternion)
+        span = self.position[elements + 1] - begin
+        t0, t1 = h * tangents[elements], h * tangents[elements + 1]
+        c2, c3 = 3 * span - 2 * t0 - t1, t0 + t1 - 2 * span
+        return (
+            begin + u * (t0 + u * (c2 + u * c3)),
+            t0 + u * (2 * c2 + 3 * u * c3),
+            2 * c2 + 6 * u * c3,
+        )
+
+    def elements_at(self, arc_length):
+        """Numbers (…) of the elements that arc lengths (…) are on, and the share of each up to there."""
+        k = np.searchsorted(self.arc_length, arc_length, "right") - 1
+        k = np.clip(k, 0, len(self.steps) - 1)
+        return k, (arc_length - self.arc_length[k]) / self.steps[k]
+
     def in_units(self, factor) -> "Shape":
         """The same with forces and moments in other units: ``factor`` times as many."""
         if self.force is None:
@@ -165,27 +185,15 @@ class Shape:
                 [np.interp(arc_length, self.arc_length, column) for column in values.T], axis=1
             )
 
-        # Frames along the turn between neighbouring nodes, positions along the cubic that their
-        # tangents define: linear ones would shorten the rod.
-        k = np.clip(
-            np.searchsorted(self.arc_length, arc_length, "right") - 1, 0, len(self.steps) - 1
-        )
-        h = self.steps[k]
-        t = ((arc_length - self.arc_length[k]) / h)[:, None]
+        # Frames along the turn between neighbouring nodes, positions along the cubic: linear ones would shorten the rod.
+        k, share = self.elements_at(arc_length)
         a, b = self.quaternion[k], self.quaternion[k + 1]
         turn = rotation.logarithm(rotation.multiply(rotation.conjugate(a), b))
-        quaternion = rotation.continuous(rotation.multiply(a, rotation.exponential(t * turn)))
-        h = h[:, None]
-        position = (
-            (1 + 2 * t) * (1 - t) ** 2 * self.position[k]
-            + t * (1 - t) ** 2 * h * rotation.tangent(a)
-            + t**2 * (3 - 2 * t) * self.position[k + 1]
-            + t**2 * (t - 1) * h * rotation.tangent(b)
-        )
+        quaternion = rotation.multiply(a, rotation.exponential(share[:, None] * turn))
         return Shape(
             arc_length,
-            position,
-            quaternion,
+            self.cubic(k, share)[0],
+            rotation.continuous(quaternion),
             linear(self.strain),
             linear(self.force),
             linear(self.moment),
