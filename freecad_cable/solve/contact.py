@@ -178,10 +178,10 @@ def _gathered(problem, found, error=np.inf):
     found, width = found.measured_as(error), 1 / FIRST
     expected = last = 0.0
     here = touching.places(problem, found)
+    coarsest = APART if problem.apart or problem.scaling.weight_ratio > HEAVY else 0
     try:
         for elements in MESHES:
-            heavy = problem.scaling.weight_ratio > HEAVY
-            if (problem.apart or heavy) and elements < APART:
+            if elements < coarsest:
                 continue
             if not len(here):
                 return found.measured_as(None)  # touches nothing, so the strong form holds

@@ -2,38 +2,10 @@
 """How points of a cable leave an obstacle that they are inside of: along a direction that their whole run agrees on.
 Left to itself each would take the nearest side, and fold the cable around the obstacle."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
-from ..geometry.nearest import HOLE, Nearest
+from ..geometry.nearest import HOLE
 from ..geometry.runs import runs
-
-
-@dataclass(frozen=True, eq=False)
-class Near:
-    """What is nearest of an obstacle, its number among those of the surroundings, to points with numbers ``where``."""
-
-    obstacle: int
-    where: np.ndarray
-    what: Nearest
-
-    def of(self, points) -> Nearest:
-        """What is nearest to some of the points, by their numbers."""
-        place = np.empty(self.where.max(initial=0) + 1, int)
-        place[self.where] = np.arange(len(self.where))
-        return self.what.taken(place[points])
-
-    def at(self, where) -> "Near":
-        """The same with other numbers of the points."""
-        return Near(self.obstacle, where, self.what)
-
-    def and_(self, other: "Near | None") -> "Near":
-        """With what is nearest to more points."""
-        if other is None:
-            return self
-        where = np.concatenate([self.where, other.where])
-        return Near(self.obstacle, where, self.what.joined(other.what))
 
 
 def leave(rows, near, points, gap, around_it):

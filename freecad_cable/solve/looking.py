@@ -5,11 +5,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
-from ..geometry import rotation
+from ..geometry.nearest import Nearest
 from ..transcription.shape import Shape
-from .leaving import Near
 
 CLOSER = 0.25
 """Distance between samples, in radii of the cable, where it may touch: of an edge 1/128 of a radius goes between."""
@@ -18,12 +16,39 @@ FEWEST, MOST_INSIDE = 4, 64
 
 
 @dataclass(frozen=True, eq=False)
+class Near:
+    """What is nearest of an obstacle, its number among those of the surroundings, to points with numbers ``where``."""
+
+    obstacle: int
+    where: np.ndarray
+    what: Nearest
+
+    def of(self, points) -> Nearest:
+        """What is nearest to some of the points, by their numbers."""
+        place = np.empty(self.where.max(initial=0) + 1, int)
+        place[self.where] = np.arange(len(self.where))
+        return self.what.taken(place[points])
+
+    def at(self, where) -> "Near":
+        """The same with other numbers of the points."""
+        return Near(self.obstacle, where, self.what)
+
+    def and_(self, other: "Near | None") -> "Near":
+        """With what is nearest to more points."""
+        if other is None:
+            return self
+        where = np.concatenate([self.where, other.where])
+        return Near(self.obstacle, where, self.what.joined(other.what))
+
+
+@dataclass(frozen=True, eq=False)
 class Look:
-    """``fine``: the shape with samples inside the elements that may touch. ``begin`` (n+1,): the samples that are its
-    nodes. ``found``: what is nearest of each obstacle that is near. ``gaps`` (obstacles, samples): what is left of the
-    distance to keep, infinite where that does not matter. ``bound`` (n,): no gap inside an element is less,
+    """Of a ``shape``. ``fine``: the same with samples inside the elements that may touch. ``begin`` (n+1,): the samples
+    that are its nodes. ``found``: what is nearest of each obstacle that is near. ``gaps`` (obstacles, samples): what is
+    left of the distance to keep, infinite where that does not matter. ``bound`` (n,): no gap inside an element is less,
     as far as is known from its nodes; where that is less than 0 it is looked at inside."""
 
+    shape: Shape
     reach: float
     fine: Shape
     begin: np.ndarray
@@ -44,42 +69,38 @@ class Look:
         beside = np.maximum(np.append(half, 0.0), np.append(0.0, half))
         known = np.maximum(reach, beside)
         found = around_it.nearest(shape.position, known + around_it.keep, held)
-        least = np.minimum(around_it.gaps(shape, found).min(axis=0, initial=np.inf), known)
+        gaps = around_it.gaps(shape, found)
+        least = np.minimum(gaps.min(axis=0, initial=np.inf), known)
         bound = np.minimum(least[:-1], least[1:]) - half
         doubtful = bound < 0
         counts = np.ceil(steps / (CLOSER * radius)).clip(fewest, MOST_INSIDE)
-        counts = np.where(doubtful, counts, 1).astype(int)
-        begin = np.append(0, np.cumsum(counts))
-        if begin[-1] == len(steps):
-            return cls(reach, shape, begin, found, around_it.gaps(shape, found), bound)
-        fine = sampled(shape, counts)
-        inside = np.ones(len(fine.arc_length), bool)
-        inside[begin] = False
-        within = np.where(inside, 2 * around_it.keep, -np.inf)
-        closely = {near.obstacle: near for near in around_it.nearest(fine.position, within)}
-        merged = [near.at(begin[near.where]).and_(closely.get(near.obstacle)) for near in found]
-        return cls(reach, fine, begin, merged, around_it.gaps(fine, merged), bound)
+        fine, begin = sampled(shape, np.where(doubtful, counts, 1).astype(int))
+        if fine is not shape:
+            inside = np.ones(len(fine.arc_length), bool)
+            inside[begin] = False
+            within = np.where(inside, 2 * around_it.keep, -np.inf)
+            closely = {near.obstacle: near for near in around_it.nearest(fine.position, within)}
+            found = [near.at(begin[near.where]).and_(closely.get(near.obstacle)) for near in found]
+            gaps = around_it.gaps(fine, found)
+        return cls(shape, reach, fine, begin, found, gaps, bound)
 
     @cached_property
     def least(self) -> np.ndarray:
         """(n,) smallest gap over each element, its nodes included."""
-        smallest = self.gaps.min(axis=0, initial=np.inf)
-        least = np.minimum.reduceat(smallest[:-1], self.begin[:-1])
-        return np.minimum(least, smallest[self.begin[1:]])
-
-    @cached_property
-    def curve(self) -> CubicHermiteSpline:
-        """The shape, with derivatives that belong to it: frames between nodes turn evenly, and tell less."""
-        s, nodes = self.fine.arc_length[self.begin], self.begin
-        tangents = rotation.tangent(self.fine.quaternion[nodes])
-        return CubicHermiteSpline(s, self.fine.position[nodes], tangents)
+        return least_of(self.gaps.min(axis=0, initial=np.inf), self.begin)
 
 
-def sampled(shape, counts) -> Shape:
-    """A shape with samples between its nodes, so many (n,) for each element with its first node."""
+def sampled(shape, counts) -> tuple[Shape, np.ndarray]:
+    """A shape with samples between its nodes, so many (n,) for each element with its first node, and which of them are
+    the nodes (n+1,)."""
     begin = np.append(0, np.cumsum(counts))
     part = np.arange(begin[-1]) - np.repeat(begin[:-1], counts)
     start, apart = (
         np.repeat(each, counts) for each in (shape.arc_length[:-1], shape.steps / counts)
     )
-    return shape.on(np.append(start + part * apart, shape.arc_length[-1]))
+    return shape.on(np.append(start + part * apart, shape.arc_length[-1])), begin
+
+
+def least_of(values, begin) -> np.ndarray:
+    """(n,) smallest of the values (samples,) over each element, both of its nodes included."""
+    return np.minimum(np.minimum.reduceat(values[:-1], begin[:-1]), values[begin[1:]])

@@ -12,7 +12,8 @@ import numpy as np
 
 from ..transcription import contact
 from ..transcription.arms import Places
-from .leaving import Near, leave
+from .leaving import leave
+from .looking import Near
 
 MOST = 4
 """Places on an element."""
@@ -33,69 +34,74 @@ def places(around_it, look, reach, leaving=False, pushed=None) -> Places | None:
     ``leaving``: whether what is inside an obstacle is to leave it. ``pushed``: where obstacles pushed at last (see
     ``arms.Pushed``), which is kept: of two features that each alone let the cable into the obstacle at the other,
     both may be wanted."""
-    fine, begin, elements = look.fine, look.begin, np.arange(len(look.begin) - 1)
+    fine, begin = look.fine, look.begin
     allowed = _allowed(around_it, look)
     beside = allowed.min(axis=1, initial=np.inf) < max(reach, around_it.keep)
     found, allowed = [look.found[i] for i in np.flatnonzero(beside)], allowed[beside]
     if not found:
         return None
     last_held = np.searchsorted(begin, around_it.held(fine)[-1])
-    where = np.tile(np.where(elements < last_held, begin[:-1], begin[1:]), (len(found), 1))
+    where = np.where(np.arange(len(begin) - 1) < last_held, begin[:-1], begin[1:])
+    where = np.tile(where, (len(found), 1))
     if leaving:
         # What is thinner than an element may be inside it alone.
         deepest = _deepest(allowed, begin)
         inside = np.take_along_axis(allowed, deepest, axis=1) < -around_it.keep
         where = np.where(inside, deepest, where)
-    sites = _Sites.at(look.curve, fine.arc_length[np.tile(where, (2, 1))])
+    sites = _Sites.at(look.shape, fine.arc_length[np.tile(where, (2, 1))])
     gap = np.take_along_axis(allowed, where, axis=1)
     gap = np.concatenate([gap, np.full_like(gap, np.inf)])
-    features, slides = np.tile(contact.NONE, (*gap.shape, 1)), np.zeros(gap.shape)
 
-    def put(row, there, others, given, bend):
+    def put(row, there, others):
         sites.put((row, there), others)
-        features[row, there], slides[row, there] = given, 1 / bend
-        gap[row, there] = contact.value(others.position, given)
+        gap[row, there] = contact.value(others.position, others.features)
 
     for row, near in enumerate(found):
         there = np.flatnonzero(gap[row] < reach)
         what = near.of(where[row, there])
-        features[row, there] = contact.parameters(what, around_it.keep)
+        sites.features[row, there] = contact.parameters(what, around_it.keep)
         if leaving:
             inside = Near(near.obstacle, there, what)
             left = np.where(gap[row] < reach, gap[row], np.inf)
-            leave(features[row], inside, sites.position[row], left, around_it)
+            leave(sites.features[row], inside, sites.position[row], left, around_it)
             continue
-        own = _pointed(around_it, look, near, allowed[row])
-        if own is not None:
+        if (pointed := _pointed(around_it, look, near, allowed[row])) is not None:
             # Nodes that are as near as the nearest place would share its force, and not slide.
-            for place, nearest in zip(
-                own[1].arc_length, contact.value(own[1].position, own[2]), strict=True
-            ):
-                beside = np.abs(sites.arc_length[row] - place) < around_it.radius
-                gap[row, beside & (gap[row] < nearest + EVEN * around_it.radius)] = np.inf
-            put(row, *own)
-        kept = _kept(around_it, look, near, pushed, features[row])
+            nearest = contact.value(pointed[1].position, pointed[1].features)
+            away = np.abs(sites.arc_length[row] - pointed[1].arc_length[:, None])
+            as_near = gap[row] < nearest[:, None] + EVEN * around_it.radius
+            gap[row, ((away < around_it.radius) & as_near).any(axis=0)] = np.inf
+            put(row, *pointed)
+        kept = _kept(around_it, look, near, pushed, sites.features[row])
         if kept is not None:
             put(row + len(found), *kept)
-    near = gap < reach
-    count = int(near.sum(axis=0).max(initial=0))
+    order = _order(gap, reach)
+    if order is None:
+        return None
+    elements = np.arange(len(order))[:, None]
+    chosen = sites.of((order, elements))
+    unused = gap[order, elements] >= reach
+    unused[:, 1:] |= order[:, 1:] == order[:, :-1]
+    which = np.tile(around_it.indices[[each.obstacle for each in found]], 2)
+    return Places(
+        np.where(unused[..., None], contact.NONE, chosen.features),
+        chosen.position,
+        chosen.ahead,
+        chosen.arc_length - fine.arc_length[begin[:-1], None],
+        np.where(unused, 0.0, chosen.slides),
+        np.where(unused, -1, which[order]),
+    )
+
+
+def _order(gap, reach):
+    """(n, c) which of so many gaps (m, n) within ``reach`` are the smallest of each element, as many as the element
+    with the most has, or ``MOST``; the last once more where there are fewer. None if none is."""
+    count = int((gap < reach).sum(axis=0).max())
     if count == 0:
         return None
     count = next(n for n in (1, 2, MOST) if n >= min(count, MOST))
     order = np.argsort(gap, axis=0)[:count]
-    order = np.pad(order, ((0, count - len(order)), (0, 0)), mode="edge").T
-    elements = elements[:, None]
-    unused = ~near[order, elements]
-    unused[:, 1:] |= order[:, 1:] == order[:, :-1]
-    which = np.tile(around_it.indices[[each.obstacle for each in found]], 2)
-    return Places(
-        np.where(unused[..., None], contact.NONE, features[order, elements]),
-        sites.position[order, elements],
-        sites.ahead[order, elements],
-        sites.arc_length[order, elements] - fine.arc_length[begin[:-1], None],
-        np.where(unused, 0.0, slides[order, elements]),
-        np.where(unused, -1, which[order]),
-    )
+    return np.pad(order, ((0, count - len(order)), (0, 0)), mode="edge").T
 
 
 def _allowed(around_it, look):
@@ -119,43 +125,41 @@ def _deepest(gaps, begin):
 
 
 def _pointed(around_it, look, near, gap):
-    """Elements (m,) to which an obstacle is nearest at a place, and these (see ``_nearest``); None if there are
-    none. ``gap`` (samples,)."""
-    fine = look.fine
+    """Elements (m,) to which an obstacle is nearest at a place, and these; None if there are none. ``gap``
+    (samples,)."""
+    s, shape = look.fine.arc_length, look.shape
     before, here, after = gap[:-2], gap[1:-1], gap[2:]
     # Where a neighbour is infinite, nothing is known of the place between; inside, the way out is not along a normal.
     lowest = (here <= before) & (here < after) & (np.abs(here) < around_it.keep)
     samples = 1 + np.flatnonzero(lowest & np.isfinite(before) & np.isfinite(after))
     if not len(samples):
         return None
-    sites = _Sites.at(look.curve, fine.arc_length[samples])
+    low, sites, high = (_Sites.at(shape, s[samples + side]) for side in (-1, 0, 1))
     normals = [near.of(samples + side).normal for side in (-1, 0, 1)]
-    ends = [fine.arc_length[samples + side] for side in (-1, 1)]
-    slopes = [
-        (normal * _Sites.at(look.curve, end).ahead).sum(axis=1)
-        for normal, end in zip(normals[::2], ends, strict=True)
-    ]
-    own = ((normals[2] - normals[0]) * sites.ahead).sum(axis=1) / (ends[1] - ends[0])
+    falls, rises = (
+        (normal * end.ahead).sum(axis=1)
+        for normal, end in zip(normals[::2], (low, high), strict=True)
+    )
+    turned = ((normals[2] - normals[0]) * sites.ahead).sum(axis=1)
+    own = turned / (high.arc_length - low.arc_length)
     bend = own + (normals[1] * sites.aside).sum(axis=1)
-    pointed = (own > 0) & (bend > POINTED * own) & (slopes[0] < 0) & (slopes[1] > 0)
+    pointed = (own > 0) & (bend > POINTED * own) & (falls < 0) & (rises > 0)
     if not pointed.any():
         return None
-    ends, slopes = ([each[pointed] for each in pair] for pair in (ends, slopes))
-    sites, features, bend = _nearest(
-        around_it, near, look.curve, sites.of(pointed), ends, slopes, POINTED * own[pointed]
-    )
-    nodes = fine.arc_length[look.begin]
-    elements = np.searchsorted(nodes, sites.arc_length, "right") - 1
+    ends = [
+        (end.arc_length[pointed], slope[pointed]) for end, slope in ((low, falls), (high, rises))
+    ]
+    sites = _nearest(around_it, near, shape, sites.of(pointed), *ends, POINTED * own[pointed])
+    elements, _ = shape.elements_at(sites.arc_length)
     # Of several on one element the nearest; the others are kept once they push.
-    order = np.argsort(contact.value(sites.position, features))
-    elements, first = np.unique(elements[order].clip(0, len(nodes) - 2), return_index=True)
-    first = order[first]
-    return elements, sites.of(first), features[first], bend[first]
+    order = np.argsort(contact.value(sites.position, sites.features))
+    elements, first = np.unique(elements[order], return_index=True)
+    return elements, sites.of(order[first])
 
 
 def _kept(around_it, look, near, pushed, features):
     """Elements (m,) that an obstacle pushed at last with another feature than one of those (n, 12) that they are given
-    now, and where, with what and with which bend of the gap."""
+    now, and where and with what."""
     if pushed is None:
         return None
     kept = pushed.owners == around_it.indices[near.obstacle]
@@ -169,28 +173,36 @@ def _kept(around_it, look, near, pushed, features):
     if not kept.any():
         return None
     elements, first = np.unique(pushed.elements[kept], return_index=True)
-    nodes = look.fine.arc_length[look.begin[elements]]
-    sites = _Sites.at(look.curve, nodes + pushed.beyond[kept][first])
-    slides = pushed.slides[kept][first]
-    bend = np.divide(1.0, slides, out=np.full_like(slides, np.inf), where=slides > 0)
-    return elements, sites, pushed.features[kept][first], bend
+    sites = _Sites.at(look.shape, pushed.arc_length[kept][first])
+    sites.features[:], sites.slides[:] = pushed.features[kept][first], pushed.slides[kept][first]
+    return elements, sites
 
 
 @dataclass(frozen=True, eq=False)
 class _Sites:
-    """Places on a cable: ``arc_length`` (…), ``position`` (…, 3) and its derivatives ``ahead`` and ``aside``."""
+    """Places on a cable: ``arc_length`` (…), ``position`` (…, 3) and its derivatives ``ahead`` and ``aside``; and what
+    they keep away from, ``features`` (…, 12) and ``slides`` (…) as in ``Places``."""
 
     arc_length: np.ndarray
     position: np.ndarray
     ahead: np.ndarray
     aside: np.ndarray
+    features: np.ndarray
+    slides: np.ndarray
 
     @classmethod
-    def at(cls, curve, arc_length) -> "_Sites":
-        """Of a curve (see ``Look``)."""
-        slope = curve(arc_length, 1)
-        ahead = slope / np.linalg.norm(slope, axis=-1)[..., None]
-        return cls(arc_length, curve(arc_length), ahead, curve(arc_length, 2))
+    def at(cls, shape, arc_length) -> "_Sites":
+        """Of a shape, that keep away from nothing: by its cubic, for its frames turn evenly between nodes."""
+        elements, share = shape.elements_at(arc_length)
+        position, slope, bend = shape.cubic(elements, share)
+        return cls(
+            arc_length,
+            position,
+            slope / np.linalg.norm(slope, axis=-1)[..., None],
+            bend / shape.steps[elements][..., None] ** 2,
+            np.tile(contact.NONE, (*arc_length.shape, 1)),
+            np.zeros(arc_length.shape),
+        )
 
     def of(self, which) -> "_Sites":
         """Some of them."""
@@ -201,22 +213,22 @@ class _Sites:
         for own, other in zip(vars(self).values(), vars(others).values(), strict=True):
             own[index] = other
 
-    def along(self, features):
+    def along(self):
         """(m,) slope of the gap along the cable, and its bend: that of the feature itself, and of both."""
-        steepest = contact.slope(self.position, features)
-        own = (self.ahead * contact.bent(self.ahead, features)).sum(axis=1)
+        steepest = contact.slope(self.position, self.features)
+        own = (self.ahead * contact.bent(self.ahead, self.features)).sum(axis=1)
         slope = (steepest * self.ahead).sum(axis=1)
         return slope, own, own + (steepest * self.aside).sum(axis=1)
 
 
-def _nearest(around_it, near, curve, sites, ends, slopes, least):
-    """(sites, features (m, 12), bend of the gap (m,), at ``least`` so much) where an obstacle is nearest between two
-    ``ends`` (m,), from ``sites`` between them; there the gap has these ``slopes`` (m,), negative and positive."""
-    (low, high), (falls, rises) = ends, slopes
+def _nearest(around_it, near, shape, sites, begin, end, least) -> _Sites:
+    """Where an obstacle is nearest, from ``sites`` between ``begin`` and ``end``: arc lengths (m,) and the slopes (m,)
+    of the gap there, negative and positive. Its bend is ``least`` (m,) at least."""
+    (low, falls), (high, rises) = begin, end
     for looks in range(1, LOOKS + 1):
         what = around_it.nearest_of(near.obstacle, sites.position)
-        features = contact.parameters(what, around_it.keep)
-        slope, own, bend = sites.along(features)
+        sites.features[:] = contact.parameters(what, around_it.keep)
+        slope, own, bend = sites.along()
         place, before = sites.arc_length, slope < 0
         low, falls = np.where(before, place, low), np.where(before, slope, falls)
         high, rises = np.where(before, high, place), np.where(before, rises, slope)
@@ -227,5 +239,6 @@ def _nearest(around_it, near, curve, sites, ends, slopes, least):
         then = np.where((own > 0) & (low <= newton) & (newton <= high), newton, then)
         if looks == LOOKS or (np.abs(then - place) < SAME * around_it.radius).all():
             break
-        sites = _Sites.at(curve, then)
-    return sites, features, np.maximum(bend, least)
+        sites = _Sites.at(shape, then)
+    sites.slides[:] = 1 / np.maximum(bend, least)
+    return sites

@@ -139,9 +139,9 @@ class Problem:
         """The equilibrium that the iteration finds from ``start``, with its mesh; None if it finds none.
 
         ``load`` scales gravity, and with it the units of force, and ``reach`` the distance of the ends: continuation
-        goes through them, and rather takes a shorter step than fall back to the slower solver; ``hasty`` is where there
-        are other starts. ``places``
-        keep away from obstacles, and ``links`` are what of the cable keeps away from itself.
+        goes through them, and rather takes a shorter step than fall back to the slower solver. ``hasty``: whether to
+        give up where fatrop fails once, for there are other starts. ``places`` keep away from obstacles, and ``links``
+        are what of the cable keeps away from itself.
         """
         contacts = 0 if places is None else places.owners.shape[1]
         nlp = self._built(start, contacts, () if links is None else links.pairs)

@@ -14,8 +14,7 @@ from ..problem.surroundings import in_reach
 from ..transcription.arms import Places
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
-from .leaving import Near
-from .looking import Look, sampled
+from .looking import Look, Near, least_of, sampled
 from .placing import places
 
 NEAR = 0.3
@@ -191,12 +190,10 @@ class Surroundings:
             doubtful = bound < smallest
             if not doubtful.any():
                 break
-            fine = sampled(shape, np.where(doubtful, count, 1))
+            fine, begin = sampled(shape, np.where(doubtful, count, 1))
             half = shape.steps / count / 2
             smallest, least = self._smallest(fine, smallest, half[doubtful].max())
-            begin = np.append(0, np.cumsum(np.where(doubtful, count, 1)))
-            least = np.minimum(np.minimum.reduceat(least[:-1], begin[:-1]), least[begin[1:]])
-            bound = np.where(doubtful, least - half, np.inf)
+            bound = np.where(doubtful, least_of(least, begin) - half, np.inf)
         return smallest + self.keep - self.radius
 
     def _smallest(self, fine, smallest, half):

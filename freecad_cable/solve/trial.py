@@ -133,7 +133,7 @@ class Trial:
         places, touched = self.places, self.touched
         return arms.Pushed(
             np.nonzero(there)[0],
-            (places.beyond + touched.slid)[there],
+            self.contact_places[there],
             touched.position[there],
             touched.gap[there],
             places.features[there],

@@ -37,8 +37,8 @@ def functions(variables: int):
         ∇ = Jᵀ(∇g − σ a H T) − σ a J'ᵀ∇g
         ∇∇ = Jᵀ H J − σ a (Jᵀ H J' + J'ᵀ H J) − σ (∇a)(∇a)ᵀ + the bend of both in the quaternion
 
-    The rotation of a vector is quadratic in the quaternion. Written so, it takes a third of what automatic
-    differentiation needs.
+    The rotation of a vector is quadratic in the quaternion. Written so, it takes two thirds of the instructions of
+    automatic differentiation.
     """
     v, row, lam = ca.SX.sym("v", variables), ca.SX.sym("p", PARAMETERS), ca.SX.sym("lam")
     q, share = v[3:7], ca.SX(2, variables - 7)
@@ -114,11 +114,11 @@ class Places:
 
 @dataclass(frozen=True, eq=False)
 class Pushed:
-    """Of m places that obstacles push: ``elements`` (m,), way ``beyond`` (m,) their first nodes, ``position`` (m, 3),
-    ``gap`` (m,); ``features`` (m, 12), ``slides`` (m,) and ``owners`` (m,) as in ``Places``."""
+    """Of m places that obstacles push: ``elements`` (m,), ``arc_length`` (m,), ``position`` (m, 3), ``gap`` (m,);
+    ``features`` (m, 12), ``slides`` (m,) and ``owners`` (m,) as in ``Places``."""
 
     elements: np.ndarray
-    beyond: np.ndarray
+    arc_length: np.ndarray
     position: np.ndarray
     gap: np.ndarray
     features: np.ndarray
@@ -158,11 +158,11 @@ class Touched:
     turn: np.ndarray
 
 
-def read(nlp, x, given) -> Touched:
-    """Of the rows ``given`` (n, c, 21) to a program, at its decision vector."""
+def read(nlp, x, given, elements=None) -> Touched:
+    """Of the rows ``given`` (n, c, 21) to a program, at its decision vector; of some ``elements`` (n,), or all."""
     n, count, _ = given.shape
     each = given.reshape(-1, PARAMETERS)
-    element = np.repeat(np.arange(n), count)
+    element = np.repeat(np.arange(n) if elements is None else elements, count)
     states = x[nlp.states[element]]
     frames = rotation.matrix(states[:, 3:7])
     strains = (x[strain[element][:, :2]] for strain in (nlp.numbers.first, nlp.numbers.last))

@@ -116,8 +116,8 @@ def _pushes(nlp, values, x, lam, elements):
     if not nlp.structure.contacts:
         return 0.0, 0.0
     push = -lam[nlp.contact_rows[elements]][..., None]
-    touched = arms.read(nlp, x, values["arms"])
-    return tuple((push * part[elements]).sum(axis=1) for part in (touched.slope, touched.turn))
+    touched = arms.read(nlp, x, values["arms"][elements], elements)
+    return tuple((push * part).sum(axis=1) for part in (touched.slope, touched.turn))
 
 
 def _read_strains(nlp, values, x):

@@ -185,7 +185,7 @@ class Shape:
                 [np.interp(arc_length, self.arc_length, column) for column in values.T], axis=1
             )
 
-        # Frames along the turn between neighbouring nodes, positions along the cubic: linear ones would shorten the rod.
+        # Frames along the turn between neighbouring nodes, positions along the cubic: linear ones would be shorter.
         k, share = self.elements_at(arc_length)
         a, b = self.quaternion[k], self.quaternion[k + 1]
         turn = rotation.logarithm(rotation.multiply(rotation.conjugate(a), b))
