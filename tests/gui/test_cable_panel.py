@@ -133,6 +133,22 @@ class CablePanelTest(WindowTest):
         self.cancel()
         self.assertBefore()
 
+    def test_opens_where_the_widgets_of_another_panel_were(self):
+        box = QtGui.QWidget()
+        deleted = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        deleted.setParent(box)
+        del box
+        with self.assertRaises(RuntimeError):
+            deleted.objectName()
+        loader = FreeCADGui.UiLoader()
+        given = mock.Mock(
+            side_effect=[deleted, *(loader.createWidget("Gui::QuantitySpinBox") for _ in range(20))]
+        )
+        with mock.patch.object(FreeCADGui, "UiLoader", return_value=mock.Mock(createWidget=given)):
+            self.open_panel(self.cable)
+        self.assertEqual(self.widget("Length").property("rawValue"), 300)
+        self.cancel()
+
     def test_modes(self):
         self.open_panel(self.cable)
         mode = self.widget("LengthMode")

@@ -75,12 +75,24 @@ class Link(Input):
         self.widget.setCurrentIndex(self.objects.index(value) if value in self.objects else -1)
 
 
+def _quantity_spin_box():
+    """Of FreeCAD. PySide is not told when FreeCAD deletes one: a new one in the same memory is taken for the old one,
+    which it calls deleted. The next one lies elsewhere."""
+    while True:
+        spin = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        try:
+            spin.objectName()
+        except RuntimeError:
+            continue
+        return spin
+
+
 class Number(Input):
     """Of a quantity or a number, with units and expressions; ``unit`` "" for a plain number. ``path`` of what the
     expression gives, if that is a part of the property."""
 
     def __init__(self, obj, name, unit, *, step=1.0, least=None, path=None):
-        spin = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        spin = _quantity_spin_box()
         super().__init__(obj, name, spin)
         self.path = path or name
         spin.setObjectName(self.path)
