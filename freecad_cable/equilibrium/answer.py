@@ -236,7 +236,5 @@ def effort(problem, trial):
         "name": None if trial is None else trial.raw.solver,
         "scheme": problem.scheme,
         "elements": None if trial is None else len(trial.shape.steps),
-        "iterations": problem.iterations,
-        "build_time": problem.build_time,
-        "solve_time": problem.solve_time,
+        **vars(problem.effort),
     }

@@ -60,8 +60,8 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
         return trial
     lenient = around_it.without_rims()
     at_rims = lenient is not around_it and not lenient.deepest(trial.shape)
-    # Through a ring there is one way, and around an obstacle there are many; a heavy cable is hard to solve for anyway.
-    hasty = lenient is around_it and problem.scaling.weight_ratio < HEAVY
+    # Through a ring there is one way, and around an obstacle there are many.
+    hasty = lenient is around_it
     leave = partial(_settled, problem, leaving=1, hasty=hasty)
     best = None
     try:

@@ -26,17 +26,15 @@ def led(problem: Problem, free: Trial) -> Iterator[Trial]:
     nodes = [joint.node for joint in start.joints]
     before = start.position[nodes] * problem.scaling.length + problem.scaling.origin
     frames = start.quaternion[nodes]
-    progress, step, trial, here = 0.0, STEP, None, problem
+    progress, step, trial = 0.0, STEP, None
     while progress < 1:
         ahead = min(1.0, progress + step)
         supports = [
             _moved(support, *pose, ahead)
             for support, *pose in zip(problem.scene.supports, before, frames, strict=True)
         ]
-        here = replace(here, scene=replace(problem.scene, supports=supports))
+        here = replace(problem, scene=replace(problem.scene, supports=supports))
         found = here.solve(start, fallback=step < 2 * SHORTEST)
-        problem.iterations, problem.solve_time = here.iterations, here.solve_time
-        problem.build_time = here.build_time
         if found is None or found.slipped:
             step /= 2
             if step < SHORTEST:

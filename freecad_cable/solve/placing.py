@@ -43,11 +43,10 @@ def places(around_it, look, reach, leaving=False, pushed=None) -> Places | None:
     last_held = np.searchsorted(begin, around_it.held(fine)[-1])
     where = np.where(np.arange(len(begin) - 1) < last_held, begin[:-1], begin[1:])
     where = np.tile(where, (len(found), 1))
-    if leaving:
-        # What is thinner than an element may be inside it alone.
-        deepest = _deepest(allowed, begin)
-        inside = np.take_along_axis(allowed, deepest, axis=1) < -around_it.keep
-        where = np.where(inside, deepest, where)
+    # What is thinner than an element may be inside it alone.
+    deepest = _deepest(allowed, begin)
+    inside = np.take_along_axis(allowed, deepest, axis=1) < -around_it.keep
+    where = np.where(inside, deepest, where)
     sites = _Sites.at(look.shape, fine.arc_length[np.tile(where, (2, 1))])
     gap = np.take_along_axis(allowed, where, axis=1)
     gap = np.concatenate([gap, np.full_like(gap, np.inf)])
@@ -60,10 +59,16 @@ def places(around_it, look, reach, leaving=False, pushed=None) -> Places | None:
         there = np.flatnonzero(gap[row] < reach)
         what = near.of(where[row, there])
         sites.features[row, there] = contact.parameters(what, around_it.keep)
-        if leaving:
-            inside = Near(near.obstacle, there, what)
+        if leaving or inside[row].any():
             left = np.where(gap[row] < reach, gap[row], np.inf)
-            leave(sites.features[row], inside, sites.position[row], left, around_it)
+            leave(
+                sites.features[row],
+                Near(near.obstacle, there, what),
+                sites.position[row],
+                left,
+                around_it,
+            )
+        if leaving:
             continue
         if (pointed := _pointed(around_it, look, near, allowed[row])) is not None:
             # Nodes that are as near as the nearest place would share its force, and not slide.

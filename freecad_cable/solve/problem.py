@@ -37,8 +37,18 @@ class TimeUpError(Exception):
 
 
 @dataclass
+class Effort:
+    """What it took so far, with all that is solved on the way: iterations, and the time in solvers and for making them
+    [s]."""
+
+    iterations: int = 0
+    solve_time: float = 0.0
+    build_time: float = 0.0
+
+
+@dataclass
 class Problem:
-    """A scene ready to be solved: its model, its scaling, its clock and its count of iterations."""
+    """A scene ready to be solved: its model, its scaling, its clock and what it took."""
 
     scene: Scene
     model: Model
@@ -46,9 +56,7 @@ class Problem:
     layered: list
     """of each stretch, how it bends if it may do so in layers only (see ``transcription.guess.layers``)"""
     deadline: float
-    iterations: int = field(default=0)
-    solve_time: float = field(default=0.0)
-    build_time: float = field(default=0.0)
+    effort: Effort = field(default_factory=Effort)
     watch: Callable[[str], None] | None = field(default=None)
     """called before each run of a solver; see ``find_equilibrium``"""
     apart: bool = field(default=False)
@@ -156,10 +164,10 @@ class Problem:
                 raise TimeUpError
             if self.watch is not None:
                 self.watch(f"{self.scene.rod.length:.4g} m in {len(start.steps)} elements")
-            self.build_time += backend.first_use(nlp.structure, name, near)
+            self.effort.build_time += backend.first_use(nlp.structure, name, near)
             raw = backend.minimise(nlp, name, near, x0, parameters, lam0, hasty)
-            self.iterations += raw.iterations
-            self.solve_time += raw.time
+            self.effort.iterations += raw.iterations
+            self.effort.solve_time += raw.time
             if raw.success:
                 found = raw.x, raw.multipliers
                 shape = layout.shape_of(nlp, values, parameters, start.steps, *found)
@@ -180,5 +188,5 @@ class Problem:
     def _built(self, start, contacts, links):
         begin = time.perf_counter()
         nlp = build(self.structure(start.stretches, contacts, links))
-        self.build_time += time.perf_counter() - begin
+        self.effort.build_time += time.perf_counter() - begin
         return nlp

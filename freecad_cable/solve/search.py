@@ -18,6 +18,7 @@ from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
 from . import contact, mesh
 from .continuation import continued, taut_chord
+from .laying import laden
 from .leading import led
 from .problem import LEADEN, Problem, TimeUpError
 from .saddle import descended
@@ -54,7 +55,18 @@ def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     if touching and (found := contact.resumed(problem, warm)) is not None:
         return found
     found = _through_itself(problem, warm)
+    if problem.surroundings.obstacles and not _rests(problem, found):
+        try:
+            found = laden(problem, _through_itself) or found
+        except TimeUpError:
+            if found is None:
+                raise
     return None if found is None else apart(problem, found)
+
+
+def _rests(problem, trial):
+    """Whether it is in equilibrium, and in no obstacle."""
+    return trial is not None and trial.stable and not problem.surroundings.deepest(trial.shape)
 
 
 def apart(problem, trial):
