@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A look at the obstacles around a shape: how near they come to its elements, and where."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -72,17 +72,37 @@ class Look:
         gaps = around_it.gaps(shape, found)
         least = np.minimum(gaps.min(axis=0, initial=np.inf), known)
         bound = np.minimum(least[:-1], least[1:]) - half
-        doubtful = bound < 0
+        look = cls(shape, reach, shape, np.arange(len(shape.arc_length)), found, gaps, bound)
         counts = np.ceil(steps / (CLOSER * radius)).clip(fewest, MOST_INSIDE)
-        fine, begin = sampled(shape, np.where(doubtful, counts, 1).astype(int))
-        if fine is not shape:
-            inside = np.ones(len(fine.arc_length), bool)
-            inside[begin] = False
-            within = np.where(inside, 2 * around_it.keep, -np.inf)
-            closely = {near.obstacle: near for near in around_it.nearest(fine.position, within)}
-            found = [near.at(begin[near.where]).and_(closely.get(near.obstacle)) for near in found]
-            gaps = around_it.gaps(fine, found)
-        return cls(shape, reach, fine, begin, found, gaps, bound)
+        look = look._closer(around_it, np.where(bound < 0, counts, 1))
+        if (steps <= MOST_INSIDE * CLOSER * radius).all():
+            return look
+        # Of a cable as thin as this, only what is nearest is looked at as closely as it is thin.
+        apart, gaps = np.diff(look.fine.arc_length), look.gaps.min(axis=0, initial=np.inf)
+        near = np.minimum(gaps[:-1], gaps[1:]) < apart / 2
+        counts = np.ceil(apart / (CLOSER * radius)).clip(1, MOST_INSIDE)
+        return look._closer(around_it, np.where(near, counts, 1))
+
+    def _closer(self, around_it, counts) -> "Look":
+        """With so many (samples − 1,) for each sample."""
+        fine, places = sampled(self.shape, self.fine.arc_length, counts.astype(int))
+        if len(fine.arc_length) == len(self.fine.arc_length):
+            return self
+        new = np.ones(len(fine.arc_length), bool)
+        new[places] = False
+        apart = np.diff(fine.arc_length, append=fine.arc_length[-1])
+        within = np.where(new, np.maximum(2 * around_it.keep, around_it.keep + apart), -np.inf)
+        closely = {near.obstacle: near for near in around_it.nearest(fine.position, within)}
+        found = [
+            near.at(places[near.where]).and_(closely.get(near.obstacle)) for near in self.found
+        ]
+        return replace(
+            self,
+            fine=fine,
+            begin=places[self.begin],
+            found=found,
+            gaps=around_it.gaps(fine, found),
+        )
 
     @cached_property
     def least(self) -> np.ndarray:
@@ -90,15 +110,15 @@ class Look:
         return least_of(self.gaps.min(axis=0, initial=np.inf), self.begin)
 
 
-def sampled(shape, counts) -> tuple[Shape, np.ndarray]:
-    """A shape with samples between its nodes, so many (n,) for each element with its first node, and which of them are
-    the nodes (n+1,)."""
+def sampled(shape, arc_length, counts) -> tuple[Shape, np.ndarray]:
+    """A shape at ``arc_length`` (m+1,) and between, with so many samples (m,) for each but the last, and which of them
+    these are (m+1,)."""
     begin = np.append(0, np.cumsum(counts))
     part = np.arange(begin[-1]) - np.repeat(begin[:-1], counts)
     start, apart = (
-        np.repeat(each, counts) for each in (shape.arc_length[:-1], shape.steps / counts)
+        np.repeat(each, counts) for each in (arc_length[:-1], np.diff(arc_length) / counts)
     )
-    return shape.on(np.append(start + part * apart, shape.arc_length[-1])), begin
+    return shape.on(np.append(start + part * apart, arc_length[-1])), begin
 
 
 def least_of(values, begin) -> np.ndarray:

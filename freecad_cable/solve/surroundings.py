@@ -14,7 +14,7 @@ from ..problem.surroundings import in_reach
 from ..transcription.arms import Places
 from ..transcription.scaling import Scaling
 from ..transcription.shape import Shape
-from .looking import Look, Near, least_of, sampled
+from .looking import CLOSER, Look, Near, sampled
 from .placing import places
 
 NEAR = 0.3
@@ -28,8 +28,9 @@ LEAVING = 10.0
 ROOM = 0.2
 """Play of a ring, in radii of the cable, from which the rim of its hole is an obstacle as any other; with less the
 cable is squeezed by a rim that it passes at an angle."""
-INSIDE = (4, 64)
-"""Samples of an element in which the clearance is looked for: first, and where it may be."""
+INSIDE = (4, 0.0), (16, 0.0), (16, CLOSER)
+"""How the clearance is looked for in an element, and then between samples where it may be: so many samples for one, if
+they are more than so many radii of the cable apart."""
 
 
 class Surroundings:
@@ -186,14 +187,21 @@ class Surroundings:
         # What may touch has been looked at inside, but no farther than twice the distance to keep; of other elements
         # the inside may yet be nearer than any node.
         bound = np.where(look.bound < 0, np.minimum(look.least, self.keep), look.bound)
-        for count in INSIDE:
-            doubtful = bound < smallest
+        at = shape.arc_length
+        for count, finest in INSIDE:
+            doubtful = (bound < smallest) & (np.diff(at) > finest * self.radius)
             if not doubtful.any():
                 break
-            fine, begin = sampled(shape, np.where(doubtful, count, 1))
-            half = shape.steps / count / 2
-            smallest, least = self._smallest(fine, smallest, half[doubtful].max())
-            bound = np.where(doubtful, least_of(least, begin) - half, np.inf)
+            fine, _ = sampled(shape, at, np.where(doubtful, count, 1))
+            half = np.diff(fine.arc_length) / 2
+            smallest, least = self._smallest(
+                fine, smallest, np.diff(at)[doubtful].max() / count / 2
+            )
+            between = np.repeat(doubtful, np.where(doubtful, count, 1))
+            at, bound = (
+                fine.arc_length,
+                np.where(between, np.minimum(least[:-1], least[1:]) - half, np.inf),
+            )
         return smallest + self.keep - self.radius
 
     def _smallest(self, fine, smallest, half):

@@ -9,7 +9,8 @@ from scipy.interpolate import CubicHermiteSpline
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
-from freecad_cable.problem import Box
+from freecad_cable.options import SolveOptions
+from freecad_cable.problem import Box, Pinned, Rod, Scene, Sphere
 from tests.verification.test_contact_solids import ROUND, of_cylinder
 
 ELEMENTS = 32
@@ -67,3 +68,36 @@ def test_nothing_pushes_along_the_cable(find, name):
         h = coarse.scene.rod.length / ELEMENTS
         kink = np.linalg.norm(contact.force) / coarse.scene.rod.bending_stiffness[0]
         assert abs(along) < kink * h**2 / 8
+
+
+@pytest.mark.parametrize("ball", [1.0, 3.0])
+@pytest.mark.parametrize("share", [0.25, 0.5])
+def test_a_thin_wire_does_not_pass_through_a_pin(ball, share):
+    """One as thin as it is itself, 1/500 of an element, wherever between samples."""
+    radius = 1e-4
+    rod = Rod(
+        length=0.44,
+        radius=radius,
+        mass_per_length=0.05,
+        bending_stiffness=1.18e-3,
+        torsional_stiffness=1e-3,
+    )
+    free = Scene(
+        rod=rod,
+        start=Pinned([0, 0, 0]),
+        end=Pinned([0.4, 0, 0]),
+        gravity=[0, 0, -9.81],
+        options=SolveOptions(elements=8),
+    )
+    below = curve(find_equilibrium(free))(rod.length / 8 * (3 + (20 + share) / 64))
+    pin = Sphere(below - [0, 0, ball * radius / 2], ball * radius)
+    held = find_equilibrium(replace(free, obstacles=(pin,)))
+    assert held.contacts
+    along = curve(held)(np.linspace(0, rod.length, 1_000_001))
+    clear = np.linalg.norm(along - pin.center, axis=1).min() - pin.radius - radius
+    assert clear > -0.01 * radius
+    # It is sampled at 1/1024 of an element; between two samples a ball is nearer by an eighth of that squared, over the
+    # distance of its centre.
+    apart = rod.length / 8 / 1024
+    missed = apart**2 / 8 / (pin.radius + radius)
+    assert held.min_clearance == pytest.approx(clear, abs=missed)

@@ -40,4 +40,4 @@ def test_a_cable_is_led_to_its_support(table_1, kind, slides):
     assert trial.stable
     # On a first mesh the energy is right to some 1e-5.
     assert trial.energy == pytest.approx(direct.energy, rel=1e-4)
-    assert there.iterations > 0
+    assert there.effort.iterations > 0
