@@ -37,11 +37,12 @@ def solution(problem, trial) -> Solution:
     check = balanced(problem, trial, pushes)
     nodes = tuple(joint.node for joint in shape.joints)
     contacts = contacts_of(problem, trial) if trial.touches else ()
+    formed = _formed(problem, trial) if trial.nlp.structure.bend_limit else ()
     violation = max(
         end_violation(scene, position, shape.quaternion),
         support_violation(scene, nodes, arc_length, position, shape.quaternion),
     )
-    status, message = _verdict(problem, trial, check, violation)
+    status, message = _verdict(problem, trial, None if formed else check, violation)
     if status.success and (sentence := _through_itself(problem, shape)):
         status, message = Status.INACCURATE, f"{Status.INACCURATE.value} {sentence}"
     return Solution(
@@ -66,11 +67,11 @@ def solution(problem, trial) -> Solution:
             smallest_bend_radius(
                 part.arc_length * length,
                 part.strain[:, :3] / length,
-                kinked=trial.nlp.structure.bend_limit,
+                kinked=bool(formed),
             )
             for part in shape.parts()
         ),
-        formed=_formed(problem, trial) if trial.nlp.structure.bend_limit else (),
+        formed=formed,
         contacts=contacts,
         min_clearance=_clearance(problem, shape),
         stable=trial.stable,
@@ -180,6 +181,8 @@ def _energy(problem, trial):
 
 
 def _verdict(problem, trial, check, violation):
+    """``check``: None where a cable is formed, for there its moments do not follow from its curvature, which is all
+    that it knows."""
     scene = problem.scene
     if trial.slipped:
         place = scene.supports[trial.slipped[0]].place
@@ -196,8 +199,7 @@ def _verdict(problem, trial, check, violation):
         )
     if sentence := _too_near(problem, trial.shape):
         return Status.INACCURATE, f"{Status.INACCURATE.value} {sentence}"
-    # Where a cable is formed its moments do not follow from its curvature, which is all that the check knows.
-    if not trial.nlp.structure.bend_limit and max(check.moment, check.force) > UNBALANCED:
+    if check is not None and max(check.moment, check.force) > UNBALANCED:
         return Status.INACCURATE, (
             f"{Status.INACCURATE.value} Recomputed from its nodes, its moments are out of balance by "
             f"{max(check.moment, check.force):.0%}."

@@ -6,49 +6,23 @@ is all of the obstacle near the place (a plane, a ball, the side of a cylinder) 
 features are looked up anew at the last solve until they stay.
 """
 
-from dataclasses import replace
 from functools import partial
 from itertools import islice
 
 import numpy as np
 
-from ..transcription import arms
 from ..transcription.shape import Shape
 from . import mesh, touching
 from .detours import detours
+from .gathering import APART, FIRST, compared, gathered
 from .problem import Problem, TimeUpError
 from .saddle import descended
-from .surroundings import BESIDE, NEAR
+from .settling import settled
+from .surroundings import BESIDE
 from .trial import Trial
 
-PASSES = 12
-"""Lookups of features after which an attempt ends."""
-SETTLED = 1e-3
-"""Change of a gap, in radii of the cable, below which a feature has been looked up often enough."""
-WELL_SETTLED, RIGHT = 1e-5, 0.01
-"""The same from which no more lookups are tried, and what it may be of the tolerance: a gap tells of a cable that
-slides along a round edge by the square of how far. The solvers leave 1e-6."""
-TWICE = 2
-"""Lookups after which features that pushed are kept, for they may be taking turns."""
-HALVED = 0.5
-"""Share of the last change that another lookup, beyond those that are enough, must promise. Where the cable touches
-itself all are made: two parts side by side are a hinge that turns by a small gap over a short length."""
 AT_RIMS = 4
 """Starts that are tried where a cable is in nothing but rims of rings."""
-COARSER = 1.5
-"""Error of a mesh to its distance from a finer one by a third, at order 4 of which that has a third of the error."""
-CHANCE = 3.0
-"""By how much more than first order the error of a mesh is taken to be, from the changes before it."""
-FIRST, APART, HEAVY = 64, 96, 1e3
-"""Elements of the first mesh; at least so many of a finer one where the cable touches itself or is so heavy (w L³/EI)
-that it bends sharply where it leaves what it lies on."""
-MESHES = (48, 64, 96, 96, 128, 128, 192, 256, 256, 256, 256, 384, 384)
-LOST = 0.02
-"""Change from mesh to mesh that is no refinement."""
-NARROWEST = 3e-5
-"""Shortest elements, relative to the length, that nodes gather to; with shorter ones the solvers fail."""
-GATHER = 6.0
-"""Factor by which nodes draw nearer, from mesh to mesh, to where contact begins and ends."""
 
 
 def around(problem: Problem, trial: Trial) -> Trial | None:
@@ -62,7 +36,7 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
     at_rims = lenient is not around_it and not lenient.deepest(trial.shape)
     # Through a ring there is one way, and around an obstacle there are many.
     hasty = lenient is around_it
-    leave = partial(_settled, problem, leaving=1, hasty=hasty)
+    leave = partial(settled, problem, leaving=1, hasty=hasty)
     best = None
     try:
         for start in islice(detours(problem, trial, fixed or FIRST), AT_RIMS if at_rims else None):
@@ -72,8 +46,8 @@ def around(problem: Problem, trial: Trial) -> Trial | None:
             if found is None:
                 continue
             found = descended(found, leave, 0.05, lambda t: t.stable)
-            if fixed is None and around_it.deepest(found.shape) < around_it.radius:
-                found = _gathered(problem, found)
+            if around_it.deepest(found.shape) < around_it.radius:
+                found = gathered(problem, found) if fixed is None else compared(problem, found)
             if best is None or _rank(found, around_it) < _rank(best, around_it):
                 best = found
             # One that does not touch what was in its way has gone to another equilibrium altogether.
@@ -109,17 +83,17 @@ def apart(problem: Problem, trial: Trial) -> Trial:
             shape = trial.shape
             if fixed is None:
                 shape = shape.on(mesh.gathered(shape, APART, places, problem.own.radius))
-            found = _settled(problem, shape, leaving=side, fallback=True)
+            found = settled(problem, shape, leaving=side, fallback=True)
             if found is None:
                 continue
             found = descended(
                 found,
-                lambda shape: _settled(problem, shape, fallback=True),
+                lambda shape: settled(problem, shape, fallback=True),
                 0.02,
                 lambda t: t.stable,
             )
             if fixed is None:
-                found = _gathered(problem, found)
+                found = gathered(problem, found)
             if found.stable and not problem.own.depths(found.shape):
                 return found
     except TimeUpError:
@@ -134,22 +108,33 @@ def _rank(trial, around_it):
 
 def resumed(problem: Problem, warm: Shape) -> Trial | None:
     """The equilibrium from an earlier one in contact or near it; None if there is none near."""
-    known = warm.error is not None
+    problem.formed = problem.scene.enforce_bend_radius
+    found = _resumed(problem, warm)
+    problem.formed = problem.formed and found is not None
+    return found
+
+
+def _resumed(problem, warm):
+    known, fixed = warm.error is not None, problem.scene.options.elements
+    if fixed is not None:
+        warm = warm.on(mesh.uniform(fixed, [warm.arc_length[joint.node] for joint in warm.joints]))
     problem.apart = known and problem.own.links(warm, problem.own.radius) is not None
     around_it = problem.surroundings
     if not known and around_it.between(warm).min(initial=np.inf) > around_it.radius:
         return None
-    found = _settled(problem, warm, BESIDE, fallback=known)
+    found = settled(problem, warm, BESIDE, fallback=known)
     if found is None or not found.stable:
         return None
     if not found.touches:
         return _clear(problem, found)
+    if fixed is not None:
+        return compared(problem, found)
     error = np.inf
     if known and not around_it.deepest(found.shape):
         error = warm.error * _coarser(problem, found, warm)
         if error <= problem.scene.options.tolerance:
             return found.measured_as(error)
-    return _gathered(problem, found, error)
+    return gathered(problem, found, error)
 
 
 def _clear(problem, found):
@@ -169,122 +154,3 @@ def _coarser(problem, trial, warm) -> float:
     began and ended before: the error goes with them."""
     places = touching.places(problem, trial)
     return max(1.0, touching.fineness(trial.shape, places) / warm.steps.min())
-
-
-def _gathered(problem, found, error=np.inf):
-    """On meshes whose nodes gather where contact begins and ends, until the shape stays. ``error`` of what was found,
-    as far as it is known."""
-    around_it, tolerance = problem.surroundings, problem.scene.options.tolerance
-    found, width = found.measured_as(error), 1 / FIRST
-    expected = last = 0.0
-    here = touching.places(problem, found)
-    coarsest = APART if problem.apart or problem.scaling.weight_ratio > HEAVY else 0
-    try:
-        for elements in MESHES:
-            if elements < coarsest:
-                continue
-            if not len(here):
-                return found.measured_as(None)  # touches nothing, so the strong form holds
-            width = max(width / GATHER, NARROWEST)
-            nodes = mesh.gathered(found.shape, elements, here, width)
-            finer = _settled(problem, found.shape.on(nodes), BESIDE, fallback=True)
-            if finer is None:
-                return found
-            # As one piece: supports that slide are elsewhere on the one than on the other.
-            coarser = replace(found.shape, joints=()).on(finer.shape.arc_length)
-            change = np.linalg.norm(finer.shape.position - coarser.position, axis=1).max()
-            if change > LOST and found.measured < LOST:
-                return found  # the finer one has left for another equilibrium
-            # A node may lie well by chance, and then one change tells too little: the error goes with the elements. Two
-            # that are small are no chance.
-            fineness = touching.fineness(found.shape, here)
-            here = touching.places(problem, finer)
-            finer_by = touching.fineness(finer.shape, here) / fineness if len(here) else 1.0
-            expected = max(min(expected, last), change) * min(finer_by, 1.0)
-            last = change
-            error = max(COARSER * change, CHANCE * expected)
-            found = finer.measured_as(error)
-            inside = problem.apart and problem.own.depths(found.shape)
-            if error <= tolerance and not (inside or around_it.deepest(found.shape)):
-                return found
-    except TimeUpError:
-        if np.isinf(found.measured):
-            raise
-    return found
-
-
-def finer(problem: Problem, trial: Trial) -> Trial:
-    """On twice as many elements, gathered where it touches, and once more if it is in something there; the same if that
-    is not to be had."""
-    best, elements = trial, mesh.size(2 * len(trial.shape.steps))
-    for _ in range(2):
-        places = touching.places(problem, best)
-        width = touching.fineness(best.shape, places)
-        nodes = mesh.gathered(best.shape, elements, places, width)
-        found = _settled(problem, best.shape.on(nodes), BESIDE, fallback=True)
-        if found is None:
-            break
-        best = found.measured_as(trial.error)
-        if not problem.surroundings.deepest(best.shape):
-            break
-    return best
-
-
-def _settled(problem, shape, reach=NEAR, leaving=0, fallback=False, hasty=False):
-    """Solve on the nodes of ``shape`` until the places are those of the solution. ``reach``: up to what gap elements
-    are given places; ``leaving``: whether they are to leave what they are in, and which way the cable leaves itself;
-    ``fallback``: whether it is worth asking the slower solver too; ``hasty``: see ``Problem.solve``."""
-    around_it = problem.surroundings
-    settled, near, last = SETTLED * around_it.radius, None, np.inf
-    well = WELL_SETTLED * around_it.radius
-    if not problem.apart:
-        well = max(well, RIGHT * problem.scene.options.tolerance)
-    places = around_it.places(shape, reach, bool(leaving))
-    for turn in range(PASSES):
-        links = problem.own.links(shape, reach, leaving * (turn == 0)) if problem.apart else None
-        trial = problem.solve(shape, places=places, links=links, fallback=fallback, hasty=hasty)
-        if trial is None:
-            return near
-        shape = trial.shape
-        places = around_it.places(shape, reach, pushed=trial.pushed if turn >= TWICE else None)
-        stale = _staleness(around_it, trial, places)
-        if stale < settled:
-            own = _own_staleness(problem, trial) if problem.apart else 0.0
-            if max(stale, own) < well:
-                return trial
-            if not problem.apart:
-                if near is not None and stale > HALVED * last:
-                    return trial
-                near = trial
-        last = stale
-    return near
-
-
-def _own_staleness(problem, trial) -> float:
-    """Largest difference between the gap of a link that pushes and that of its node to where the cable is nearest now,
-    and how far any node is in the cable."""
-    there = problem.own.links(trial.shape, problem.own.radius)
-    nearest = np.full(len(trial.shape.arc_length), np.inf)
-    if there is not None:
-        np.minimum.at(nearest, np.array(there.pairs)[:, 0], there.distance - 2 * problem.own.radius)
-    touches = trial.with_itself
-    stale = np.abs(touches.gaps - nearest[touches.nodes]).max(initial=0.0)
-    return max(stale, -nearest.min())
-
-
-def _staleness(around_it, trial, places) -> float:
-    """How far the places that a look at a trial finds are inside what they keep away from, and the largest difference
-    between a gap that pushes and that of its place to the obstacle."""
-    stale = 0.0
-    if places is not None:
-        here = arms.rows(trial.nlp.structure, trial.shape, places)
-        stale = -arms.read(trial.nlp, trial.raw.x, here).gap.min()
-    pushed = trial.pushed
-    for owner in () if pushed is None else np.unique(pushed.owners):
-        own = pushed.owners == owner
-        there = around_it.nearest_of(
-            np.searchsorted(around_it.indices, owner), pushed.position[own]
-        )
-        gap = there.distance - around_it.keep
-        stale = max(stale, np.abs(pushed.gap[own] - gap).max())
-    return float(stale)

@@ -16,7 +16,7 @@ from ..problem.reduce import orientation, reduce
 from ..transcription.guess import guess, hangs, hold, roll_mismatch, rolled
 from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
-from . import contact, mesh
+from . import contact, gathering, mesh
 from .continuation import continued, taut_chord
 from .laying import laden
 from .leading import led
@@ -254,7 +254,7 @@ def finer(problem, trial):
         return trial
     try:
         if trial.touches:
-            return contact.finer(problem, trial)
+            return gathering.finer(problem, trial)
         nodes = mesh.refined(trial.shape, mesh.size(2 * len(trial.shape.steps)))
         return problem.solve(trial.shape.on(nodes)) or trial
     except TimeUpError:

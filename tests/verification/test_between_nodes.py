@@ -70,6 +70,17 @@ def test_nothing_pushes_along_the_cable(find, name):
         assert abs(along) < kink * h**2 / 8
 
 
+@pytest.mark.parametrize("name", [*ROUND, "edge"])
+def test_the_error_on_a_mesh_that_is_given(find, name):
+    coarse, best = find(name, {**ROUND, "edge": EDGE}[name])
+    away = np.linalg.norm(curve(best)(coarse.arc_length) - coarse.position, axis=1).max()
+    print(name, away, coarse.position_error, best.position_error)
+    assert away <= coarse.position_error + best.position_error
+    assert coarse.position_error < 20 * away
+    again = find_equilibrium(coarse.scene, start=coarse).raise_for_status()
+    assert len(again.arc_length) == len(coarse.arc_length)
+
+
 @pytest.mark.parametrize("ball", [1.0, 3.0])
 @pytest.mark.parametrize("share", [0.25, 0.5])
 def test_a_thin_wire_does_not_pass_through_a_pin(ball, share):
