@@ -10,7 +10,7 @@ import numpy as np
 
 from ..errors import ProblemError, SolverMissingError
 from ..geometry import rotation
-from ..problem import Scene
+from ..problem import Free, Mesh, Scene
 from ..problem.reduce import reduce, tautness
 from ..result import Solution, is_near
 from ..status import Status
@@ -165,11 +165,29 @@ def _advice(scene):
                 f"Its length is only {100 * (ratio - 1):.3g} % above the chord; give it more slack."
             )
     if scene.obstacles:
-        return (
-            "It may be too short to get past the obstacles, or have no way between them: try it longer, or with some "
-            "of them left out."
-        )
+        return _advice_among(scene)
     return "Check lengths, stiffness and mass for a wrong unit; a different length may be easier."
+
+
+def _advice_among(scene):
+    for held in (scene.start, scene.end, *scene.supports):
+        for obstacle in () if isinstance(held, Free) else scene.obstacles:
+            depth = -float(obstacle.nearest(held.position[None]).distance[0])
+            if depth > scene.rod.radius:
+                return (
+                    f"{held.place} holds the cable {depth:.3g} m inside {obstacle.place}: hold it outside, or leave "
+                    "that obstacle out."
+                )
+    for obstacle in scene.obstacles:
+        if isinstance(obstacle, Mesh) and not obstacle.closed:
+            return (
+                f"{obstacle.place} is an open mesh, so all that is behind its front is inside: close it if it is a "
+                "solid, or leave it out."
+            )
+    return (
+        "It may be too short to get past the obstacles, or have no way between them: try it longer, or with some of "
+        "them left out."
+    )
 
 
 def _nodes(solution, problem):

@@ -60,6 +60,8 @@ class Mesh(Obstacle):
 
     @cached_property
     def bounds(self):
+        if not self.closed:
+            return np.array([np.full(3, -np.inf), np.full(3, np.inf)])  # inside at any depth
         used = self.vertices[np.unique(self.triangles)]
         return np.array([used.min(axis=0), used.max(axis=0)])
 

@@ -112,10 +112,11 @@ def _order(gap, reach):
 def _allowed(around_it, look):
     """(obstacles, samples) gaps of a look, infinite at and beside what is held."""
     gaps, s, begin = look.gaps.copy(), look.fine.arc_length, look.begin
+    at_rims = around_it.at_rims(look.fine)
     for node in around_it.held(look.fine):
         k = np.searchsorted(begin, node)
         beside = s[begin[[max(k - 1, 0), min(k + 1, len(begin) - 1)]]]
-        share = BESIDE_HELD if np.isinf(gaps[:, node]).all() else 0.0
+        share = 0.0 if node in at_rims else BESIDE_HELD
         low, high = s[node] + share * (beside - s[node])
         gaps[:, (s >= low) & (s <= high)] = np.inf
     return gaps

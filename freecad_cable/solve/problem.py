@@ -28,6 +28,9 @@ THIN = 0.003
 """Bending length √(EI/T), relative to the length, below which helix elements are used: over elements that are many of
 them long, strains that alternate from node to node cost an element of order 4 next to nothing."""
 
+FOLDED = 2 * np.pi
+"""Turn of an element from which a start is none: shapes of one mesh may be that on another. From nodes that miss each
+other by thousands of lengths fatrop does not come back (see ``yielding``)."""
 LEADEN = 3e5
 """Weight ratio above which fatrop was seen to correct its matrix without end, unless it starts near the answer."""
 
@@ -151,6 +154,8 @@ class Problem:
         give up where fatrop fails once, for there are other starts. ``places`` keep away from obstacles, and ``links``
         are what of the cable keeps away from itself.
         """
+        if _folded(start):
+            return None
         contacts = 0 if places is None else places.owners.shape[1]
         nlp = self._built(start, contacts, () if links is None else links.pairs)
         posed = self.surroundings.posed
@@ -190,3 +195,9 @@ class Problem:
         nlp = build(self.structure(start.stretches, contacts, links))
         self.effort.build_time += time.perf_counter() - begin
         return nlp
+
+
+def _folded(shape) -> bool:
+    """Whether an element of a shape bends by more than ``FOLDED``."""
+    bend = np.linalg.norm(shape.strain[:, :3], axis=1)
+    return bool((np.maximum(bend[:-1], bend[1:]) * shape.steps).max() > FOLDED)

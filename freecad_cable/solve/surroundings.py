@@ -132,8 +132,8 @@ class Surroundings:
 
     def gaps(self, shape: Shape, found: list[Near]) -> np.ndarray:
         """(len(found), n+1) what is left of the distance to keep from what was ``found``; infinite where it was not
-        looked for, where a node is held inside it, and near such a node: a cable that comes out of a connector begins
-        at its face."""
+        looked for, and where a node is held inside it and near such a node: a cable that comes out of a connector
+        begins at its face."""
         gap = np.full((len(found), len(shape.position)), np.inf)
         for row, each in zip(gap, found, strict=True):
             row[each.where] = each.what.distance - self.keep
@@ -151,8 +151,11 @@ class Surroundings:
             bent_out = np.minimum(np.sqrt(2 * missing * LEAVING * self.radius), 2 * self.radius)
             beside = away <= np.maximum(2 * missing, bent_out) + 1e-12
             allowed[(missing > 0) & beside] = np.inf
-            allowed[:, node] = np.inf
         return allowed
+
+    def at_rims(self, shape: Shape) -> set[int]:
+        """Nodes at the rings whose rims are obstacles."""
+        return self._rings(shape)[1]
 
     def _rings(self, shape):
         """(radius by node of the rings whose rims are left to them, nodes of those whose rims are obstacles)."""

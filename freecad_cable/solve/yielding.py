@@ -30,8 +30,12 @@ SHARE = 0.1
 RUNAWAY = 1e6
 """Positions in lengths, strains in units of their own, that no cable has."""
 WRUNG = 30.0
-"""Strain over one element, in radians for its turn, that no cable has. Where one of the two is passed the energy is
-infinite, so that no step leads there: powers of it overflow, and fatrop does not come back from that."""
+"""Strain over one element, in radians for its turn, that no cable has. Where one of the two is passed energy and rows
+are infinite, so that no step leads there: powers of it overflow, and fatrop does not come back from that."""
+RESTORING = 100.0
+"""Multiple of the identity in the Hessian while fatrop restores feasibility, for which it asks for it without the
+energy (λ_f = 0). Nothing else holds back strains and yields then: it went to places 150 lengths away, whose matrix no
+correction made positive definite to rounding, and it corrects without a limit."""
 
 
 class YieldingProgram:
@@ -78,7 +82,7 @@ class YieldingProgram:
         slope = ca.vertcat(gradient * unit, price + rigidity * e)
         slope = slope[np.argsort(np.append(self.own, self.yields)).tolist()]
         aside = ca.Sparsity.triplet(len(nlp.equality), len(rows), rows.tolist(), range(len(rows)))
-        g = per * g - ca.MX(ca.DM(aside, 1)) @ e
+        g = per * g - ca.MX(ca.DM(aside, 1)) @ e + ca.if_else(sane, 0, ca.inf)
         (bent_rows, bent_columns), (steep_rows, steep_columns) = nlp.places
         ones = ca.MX(ca.DM.ones(len(rows), 1))
         jacobian = from_triplets(
@@ -96,6 +100,7 @@ class YieldingProgram:
                 factor * rigidity * ones,
             ),
         )
+        hessian += ca.if_else(factor == 0, RESTORING, 0) * ca.MX.eye(self.size)
         yielded = ca.dot(price, e) + rigidity / 2 * ca.sumsqr(e)
         f = ca.if_else(sane, energy + yielded, ca.inf)
         self.program = {"x": x, "p": p, "f": f, "g": g}

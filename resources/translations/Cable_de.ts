@@ -2444,8 +2444,16 @@
       <translation>{1} hat eigene Achsen; nur ein Punkt nimmt einen zweiten Eintrag</translation>
     </message>
     <message>
+      <source>{1} holds the cable {2} inside {3}: hold it outside, or leave that obstacle out</source>
+      <translation>{1} hält das Kabel {2} tief in {3}: es außerhalb halten oder dieses Hindernis weglassen</translation>
+    </message>
+    <message>
       <source>{1} in {2} elements</source>
       <translation>{1} in {2} Elementen</translation>
+    </message>
+    <message>
+      <source>{1} is an open mesh, so all that is behind its front is inside: close it if it is a solid, or leave it out</source>
+      <translation>{1} ist ein offenes Netz, so dass alles hinter seiner Vorderseite innen ist: es schließen, wenn es ein Körper ist, oder weglassen</translation>
     </message>
     <message>
       <source>{1} is missing: the part has changed. Choose another</source>

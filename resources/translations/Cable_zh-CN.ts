@@ -2444,8 +2444,16 @@
       <translation>{1} 自带坐标轴；只有顶点可以有第二项</translation>
     </message>
     <message>
+      <source>{1} holds the cable {2} inside {3}: hold it outside, or leave that obstacle out</source>
+      <translation>{1} 将线缆固定在 {3} 内部 {2} 处：请固定在外部，或去掉该障碍物</translation>
+    </message>
+    <message>
       <source>{1} in {2} elements</source>
       <translation>{1}，{2} 个单元</translation>
+    </message>
+    <message>
+      <source>{1} is an open mesh, so all that is behind its front is inside: close it if it is a solid, or leave it out</source>
+      <translation>{1} 是开放网格，其正面之后的一切都算内部：如果它是实体请将其封闭，或将其去掉</translation>
     </message>
     <message>
       <source>{1} is missing: the part has changed. Choose another</source>

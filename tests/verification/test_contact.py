@@ -10,7 +10,7 @@ from scipy.integrate import solve_ivp
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
-from freecad_cable.problem import Clamped, Cylinder, Free, HalfSpace, Rod, Scene, Sphere
+from freecad_cable.problem import Clamped, Cylinder, Free, HalfSpace, Mesh, Rod, Scene, Sphere
 
 RADIUS = 0.01
 ALONG_X = rotation.exponential([0, np.pi / 2, 0])
@@ -148,3 +148,52 @@ def test_held_a_little_inside_the_floor(inside):
     solution = find_equilibrium(laid_down(-inside * RADIUS, 2e-5)).raise_for_status()
     # A beam shortens by (dδ/dx)², 1 % at most; the moment at the clamp is of an element of 1e-3 d.
     assert solution.min_bend_radius == pytest.approx((10 * RADIUS / 1.5, 0.0), rel=0.02)
+
+
+@pytest.mark.parametrize("length", [0.2, 2.0])
+def test_the_clearance_is_that_of_an_end_where_this_is_nearest(length):
+    """A ball behind the start of a cable that leads away from it, whatever the length of an element."""
+    ball = Sphere([-0.01 - RADIUS, 0, 0], 0.5 * RADIUS)
+    straight = Scene(
+        rod=rod(length, mass_per_length=0.0),
+        start=Clamped([0, 0, 0], ALONG_X),
+        end=Free(),
+        obstacles=[ball],
+    )
+    assert find_equilibrium(straight).min_clearance == pytest.approx(0.01 - 0.5 * RADIUS)
+
+
+def test_behind_an_open_mesh_is_inside_at_any_depth():
+    """A sheet over the middle of a cable that would hang behind it: it comes to the front."""
+    corners = [[x, y, 0.02] for x, y in ((0.1, -0.2), (0.4, -0.2), (0.4, 0.2), (0.1, 0.2))]
+    sheet = Mesh(corners, [[0, 1, 2], [0, 2, 3]])
+    scene = Scene(
+        rod=Rod(
+            length=0.6,
+            radius=0.004,
+            mass_per_length=0.08,
+            bending_stiffness=0.01,
+            torsional_stiffness=8e-3,
+        ),
+        start=Clamped([0, 0, 0], ALONG_X),
+        end=Clamped([0.5, 0.02, 0], ALONG_X),
+        gravity=[0, 0, -9.81],
+        obstacles=[sheet],
+    )
+    solution = find_equilibrium(scene).raise_for_status()
+    assert solution.contacts
+    assert solution.min_clearance > -0.01 * scene.rod.radius
+    beside = solution.position[np.abs(solution.position[:, 0] - 0.25) < 0.1]
+    assert (beside[:, 2] > 0.02).all()
+
+
+def test_what_holds_the_cable_inside_an_obstacle_is_named():
+    held = Scene(
+        rod=rod(0.3, mass_per_length=0.1),
+        start=Clamped([0, 0, 0], ALONG_X, place="start"),
+        end=Clamped([0.2, 0, 0], ALONG_X, place="end"),
+        gravity=[0, 0, -9.81],
+        obstacles=[HalfSpace([0, 0, 5 * RADIUS], [0, 0, 1])],
+    )
+    message = find_equilibrium(held).message
+    assert "start holds the cable 0.05 m inside obstacles:" in message

@@ -92,6 +92,13 @@ def test_where_no_equilibrium_is_found_it_is_said_and_not_looked_for_closely():
     assert len(asked) <= 9 + 7 + 8
 
 
+def test_it_may_take_much_more_length_until_there_is_an_equilibrium():
+    """The chord is 0.2 m, and the spline that is tried first 0.24 m long."""
+    solve, _ = pretended(lambda length: 1.0, lambda length: not 0.4 < length < 0.6)
+    low, high = shortest(scene(), solve).feasible_lengths
+    assert (low.length, high.length) == pytest.approx((0.4, 0.6), rel=ROUGHLY)
+
+
 def test_a_length_gets_the_time_that_others_took(monkeypatch):
     clock = [0.0]
     monkeypatch.setattr("time.perf_counter", lambda: clock[0])
