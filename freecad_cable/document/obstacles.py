@@ -50,9 +50,24 @@ class Piece:
 
 def read_obstacles(cable, held: Scene) -> tuple:
     """The obstacles that the cable of a scene without them may reach. Errors: ``DocumentError``."""
+    found = _all(cable)
+    near = in_reach(held, found)
+    return tuple(
+        _stated(cable, each, held.rod.radius)
+        for each, is_near in zip(found, near, strict=True)
+        if is_near
+    )
+
+
+def read_boxes(cable) -> list:
+    """(2, 3) [m] corners of a box around each obstacle, also of those that the cable cannot reach. Errors:
+    ``DocumentError``."""
+    return [each.bounds for each in _all(cable)]
+
+
+def _all(cable):
     followers = [cable, *dependents(cable)]
-    found = [each for pair in pairs(cable.Obstacles) for each in _read(cable, pair, followers)]
-    return tuple(_stated(cable, each, held.rod.radius) for each in _in_reach(found, held))
+    return [each for pair in pairs(cable.Obstacles) for each in _read(cable, pair, followers)]
 
 
 def _read(cable, pair, followers):
@@ -131,10 +146,6 @@ def crowded(scene) -> list[str]:
         if (depth := scene.rod.radius - other.nearest(each.position[None]).distance[0])
         > CROWDED * scene.rod.radius
     ]
-
-
-def _in_reach(found, held):
-    return [each for each, near in zip(found, in_reach(held, found), strict=True) if near]
 
 
 def _stated(cable, found, radius):

@@ -20,22 +20,24 @@ PATIENCE = 20.0
 """Seconds after which a solve gives up: the window stands still meanwhile."""
 
 
-def read_held(cable) -> Scene:
-    """The scene of a cable without obstacles, in the coordinates of its container. Errors: ``DocumentError``."""
+def read_held(cable, asks_length=False) -> Scene:
+    """The scene of a cable without obstacles, in the coordinates of its container. ``asks_length``: as if its
+    ``LengthMode`` were Shortest. Errors: ``DocumentError``."""
     terminals = _terminals(cable)
+    mode = "Shortest" if asks_length else cable.LengthMode
     checked = Checked(cable, cable.Proxy.TABLE)
     try:
         start, end = (_end(*item) for item in zip(("start", "end"), terminals, strict=True))
         supports = read_supports(cable, start, end)
         return Scene(
-            rod=_rod(cable, checked, start, supports, end),
+            rod=_rod(cable, checked, mode, start, supports, end),
             start=start,
             end=end,
             supports=supports,
             gravity=list(cable.Gravity),
             clearance=to_si("length", checked.number("Clearance", at_least=0)),
             enforce_bend_radius=cable.BendRadiusMode == "Enforce",
-            asks_length=cable.LengthMode == "Shortest",
+            asks_length=mode == "Shortest",
             options=SolveOptions(
                 tolerance=checked.number("Tolerance"),
                 keep=tuple(each for each in EFFECTS if getattr(cable, f"Keep{each.capitalize()}")),
@@ -89,7 +91,7 @@ def _end(place, terminal):
     return Clamped(position, quaternion, place=place)
 
 
-def _rod(cable, checked, start, supports, end):
+def _rod(cable, checked, mode, start, supports, end):
     kind = cable.CableType
     proxy = proxy_of(kind, CableType)
     if proxy is None:
@@ -98,7 +100,7 @@ def _rod(cable, checked, start, supports, end):
     straight = None
     if isinstance(start, Pinned) and isinstance(end, Pinned):
         straight = chord_through([held.position for held in (start, *supports, end)])
-    rod = proxy.rod(kind, _length(cable, checked, straight))
+    rod = proxy.rod(kind, _length(cable, checked, mode, straight))
     if cable.BendRadiusMode == "Enforce" and rod.min_bend_radius is None:
         raise wrong(
             cable,
@@ -115,17 +117,17 @@ def _rod(cable, checked, start, supports, end):
     return rod
 
 
-def _length(cable, checked, straight):
+def _length(cable, checked, mode, straight):
     """[m] Where the length is asked for, the longest that is tried: no obstacle in its reach may be left out."""
-    if cable.LengthMode == "Fixed":
+    if mode == "Fixed":
         return to_si("length", checked.number("Length", above=0))
-    slack = checked.number("Slack", at_least=0) if cable.LengthMode == "Slack" else LONGEST - 1
+    slack = checked.number("Slack", at_least=0) if mode == "Slack" else LONGEST - 1
     if not straight:
         reason = "the terminals are at the same point" if straight == 0 else "an end is free"
         raise wrong(
             cable,
             "LengthMode",
-            f"is {cable.LengthMode}, but {reason}, so there is no straight distance; use Fixed.",
+            f"is {mode}, but {reason}, so there is no straight distance; use Fixed.",
         )
     return straight * (1 + slack)
 

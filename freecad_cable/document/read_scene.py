@@ -8,7 +8,8 @@ from .obstacles import read_obstacles
 from .read_held import read_held
 
 
-def read_scene(cable) -> Scene:
-    """The scene of a cable, in the coordinates of its container. Errors: ``DocumentError``."""
-    scene = read_held(cable)
+def read_scene(cable, asks_length=False) -> Scene:
+    """The scene of a cable, in the coordinates of its container. ``asks_length``: as if its ``LengthMode`` were
+    Shortest. Errors: ``DocumentError``."""
+    scene = read_held(cable, asks_length)
     return replace(scene, obstacles=read_obstacles(cable, scene))

@@ -4,11 +4,19 @@
 It is made by ``studying.run``, not by a recompute: a recompute may change no other object, and a study does for a
 while."""
 
+import math
+from dataclasses import replace
+
 from ..errors import DocumentError
+from ..problem import Scene
+from ..shape.units import to_si
+from ..study import length_tolerance
 from .child import CABLE, Child
+from .obstacles import read_boxes, read_obstacles
 from .property_table import Prop, wrong
+from .read_held import read_held
 from .read_scene import read_scene
-from .stored_solution import fingerprint
+from .stored_solution import PLACE_DECIMALS, fingerprint
 
 SETTINGS = (
     Prop(
@@ -140,7 +148,7 @@ class Study(Child):
         if not obj.StudiedInputs:
             obj.OutOfDate, obj.Status = True, "Not run yet; Run Study does."
             return
-        obj.OutOfDate = obj.StudiedInputs != inputs(obj, read_scene(cable))
+        obj.OutOfDate = obj.StudiedInputs != inputs(obj, cable, read_studied(obj, cable))
         obj.Status = "Out of date; Run Study brings it up to date." if obj.OutOfDate else ""
 
     def clear(self, obj, sentence):
@@ -148,11 +156,40 @@ class Study(Child):
         obj.StudiedInputs = ""
 
 
-def inputs(study, scene) -> str:
-    """Fingerprint of what a study depends on."""
+def read_studied(study, cable) -> Scene:
+    """The scene of the cable of a study, with all obstacles that a case within the tolerances may reach. Errors:
+    ``DocumentError``."""
+    if study.Kind == "Values":
+        return read_scene(cable)  # each value reads its own
+    scene = read_held(cable)
+    distance, _ = held_tolerances(study)
+    # What an end moves is as if the cable were longer by as much.
+    more = 2 * math.sqrt(3) * distance
+    if study.LengthTolerance:
+        more += length_tolerance(scene.rod.length)
+    longest = replace(scene, rod=replace(scene.rod, length=scene.rod.length + more))
+    return replace(scene, obstacles=read_obstacles(cable, longest))
+
+
+def held_tolerances(study) -> tuple[float, float]:
+    """Of each terminal: [m] along each axis, [rad] about each that it holds. Errors: ``DocumentError``."""
+    found = to_si("length", study.PositionTolerance), math.radians(study.AngleTolerance.Value)
+    for name, value in zip(("PositionTolerance", "AngleTolerance"), found, strict=True):
+        if not 0 <= value < math.inf:
+            raise wrong(
+                study, name, f"is {getattr(study, name).UserString}; it must be at least 0."
+            )
+    return found
+
+
+def inputs(study, cable, scene) -> str:
+    """Fingerprint of what a study depends on. Errors: ``DocumentError``."""
     settings = [getattr(study, prop.name) for prop in SETTINGS if "Link" not in prop.kind]
     plain = [getattr(value, "Value", value) for value in settings]
-    return fingerprint([scene, plain, getattr(study.VariedObject, "Name", "")])
+    # Which obstacles other values reach, only they can tell, so here all that stand around count, if roughly.
+    around = read_boxes(cable) if study.Kind == "Values" else []
+    varied = getattr(study.VariedObject, "Name", "")
+    return fingerprint([scene, plain, varied, fingerprint(around, PLACE_DECIMALS)])
 
 
 def values(study) -> list[float]:

@@ -4,6 +4,7 @@
 import math
 import tempfile
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 import FreeCAD
@@ -13,7 +14,7 @@ from ..equilibrium import find_equilibrium
 from ..errors import CableError, DocumentError, ProblemError
 from ..shape.centreline import centreline_wire
 from ..shape.sweep import sweep_round
-from ..shape.units import from_si, sentence_from_si, to_si
+from ..shape.units import from_si, sentence_from_si
 from ..study import (
     Parameter,
     Variation,
@@ -29,9 +30,8 @@ from ..study.motion import close_together
 from ..study.variation import held_within, longer
 from . import study_sheet
 from .property_table import reset, wrong
-from .read_scene import read_scene
 from .stored_solution import fingerprint, kept
-from .study import inputs, solved_cable, values
+from .study import held_tolerances, inputs, read_studied, solved_cable, values
 from .varied import Family, Kept, Varied
 
 
@@ -67,7 +67,13 @@ def _fail(study, sentence):
 
 def _run_values(study):
     cable, wanted = solved_cable(study), values(study)
-    scene = read_scene(cable)
+    scene = read_studied(study, cable)
+    if study.FindNeededLength and not scene.spans:
+        raise wrong(
+            study,
+            "FindNeededLength",
+            "is on, but an end is free, so that any length would do; turn it off, or hold both ends.",
+        )
     varied = Varied(study, study.VariedObject or cable, study.VariedProperty)
     needed = None
     with Kept(varied), _progress(study, len(wanted)) as tick:
@@ -86,7 +92,7 @@ def _run_values(study):
         if study.Draw == "Envelope":
             drawn = close_together(family.scene, steps, scene.rod.radius, tick)
         if study.FindNeededLength:
-            needed = needed_length(family.scene, wanted)
+            needed = needed_length(partial(family.scene, asks_length=True), wanted)
     found = motion(steps)
     reset(study, study.Proxy.TABLE)
     _draw(study, scene.rod.radius, [(step.value, step.solution) for step in drawn if step.solved])
@@ -114,7 +120,7 @@ def _run_values(study):
         name = f"{varied.obj.Label} {name}"
     study_sheet.write(study, [name], rows)
     _plot(study, study_sheet.plot(study, name, rows, found.jumps, scene.rod.min_bend_radius))
-    _finish(study, scene)
+    _finish(study, cable, scene)
 
 
 def _check_effect(study, family, wanted):
@@ -143,7 +149,7 @@ def _is_at(scene, family, wanted):
 
 def _run_tolerance(study, executor):
     cable = solved_cable(study)
-    scene = read_scene(cable)
+    scene = read_studied(study, cable)
     variations = _variations(study, scene)
     drawn = study.Kind == "Random"
     cases = random_cases(variations, study.Cases, study.Seed) if drawn else corners(variations)
@@ -180,18 +186,12 @@ def _run_tolerance(study, executor):
     ]
     study_sheet.write(study, [_name(each.parameter) for each in variations], rows)
     _plot(study, study_sheet.histogram(study, rows, scene.rod.min_bend_radius))
-    _finish(study, scene)
+    _finish(study, cable, scene)
 
 
 def _variations(study, scene):
     found = [longer(scene)] if study.LengthTolerance else []
-    distance = to_si("length", study.PositionTolerance)
-    angle = math.radians(study.AngleTolerance.Value)
-    for name, value in (("PositionTolerance", distance), ("AngleTolerance", angle)):
-        if not 0 <= value < math.inf:
-            raise wrong(
-                study, name, f"is {getattr(study, name).UserString}; it must be at least 0."
-            )
+    distance, angle = held_tolerances(study)
     for place, end in (("start", scene.start), ("end", scene.end)):
         if hasattr(end, "position") and (distance or angle):
             found += held_within(scene, place, distance, angle)
@@ -254,6 +254,6 @@ def _plot(study, text):
         study.Plot = str(path)
 
 
-def _finish(study, scene):
-    study.StudiedInputs = inputs(study, scene)
+def _finish(study, cable, scene):
+    study.StudiedInputs = inputs(study, cable, scene)
     study.OutOfDate, study.Status = False, ""

@@ -163,8 +163,8 @@ class Family:
             for document in {obj.Document.Name for obj in cable.OutListRecursive}
         }
 
-    def scene(self, value) -> Scene:
-        """Errors: ``DocumentError``."""
+    def scene(self, value, asks_length=False) -> Scene:
+        """``asks_length``: as if the ``LengthMode`` of the cable were Shortest. Errors: ``DocumentError``."""
         self.varied.set(value)
         for document, objects in self.ground.items():
             FreeCAD.getDocument(document).recompute(objects)
@@ -175,4 +175,4 @@ class Family:
                 )
         for path, text in self.cable.ExpressionEngine:
             _assign(self.cable, path.lstrip(".").split("."), self.cable.evalExpression(text))
-        return read_scene(self.cable)
+        return read_scene(self.cable, asks_length)

@@ -1996,6 +1996,10 @@
       <translation>ist aus, und es gibt keine andere Toleranz; eine angeben</translation>
     </message>
     <message>
+      <source>is on, but an end is free, so that any length would do; turn it off, or hold both ends</source>
+      <translation>ist an, aber ein Ende ist frei, sodass jede Länge recht wäre; ausschalten oder beide Enden halten</translation>
+    </message>
+    <message>
       <source>is that of the start; a chord needs two points</source>
       <translation>ist die des Anfangs; eine Sehne braucht zwei Punkte</translation>
     </message>

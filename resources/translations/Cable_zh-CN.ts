@@ -1996,6 +1996,10 @@
       <translation>已关闭，且没有其他公差；请给出一个</translation>
     </message>
     <message>
+      <source>is on, but an end is free, so that any length would do; turn it off, or hold both ends</source>
+      <translation>已开启，但有一端自由，任何长度都可以；请关闭它，或固定两端</translation>
+    </message>
+    <message>
       <source>is that of the start; a chord needs two points</source>
       <translation>与起点相同；直线需要两个点</translation>
     </message>

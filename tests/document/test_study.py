@@ -1,65 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Studies in a document: what they find, and that they leave everything as it was."""
 
-import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
-from unittest import mock
 
-import FreeCAD
-from FreeCAD import Placement, Rotation, Vector
-from scenes import DocumentTest
+from studies import StudyTest
 
-from freecad_cable.document import make, studying
+from freecad_cable.document import studying
 from freecad_cable.errors import DocumentError
-
-
-def state(document):
-    """What a user could see change: every property that can be read as text, and whether it is to be recomputed."""
-    found = {}
-    for obj in document.Objects:
-        if obj.Name.startswith("Study"):
-            continue
-        found[obj.Name] = tuple(obj.State), tuple(obj.ExpressionEngine)
-        for name in obj.PropertiesList:
-            if name in ("Shape", "Proxy", "ExpressionEngine", "cells"):
-                continue
-            # Without addresses, which FreeCAD 1.0 and later write into some.
-            found[obj.Name, name] = re.sub(r"0x[0-9a-f]+", "", repr(getattr(obj, name)))
-        if hasattr(obj, "Shape"):
-            found[obj.Name, "Volume"] = obj.Shape.Volume, obj.Shape.Length
-        if obj.TypeId == "Spreadsheet::Sheet":
-            found[obj.Name, "cells"] = {
-                cell: obj.getContents(cell) for cell in ("A1", "A2", "B1") if obj.getContents(cell)
-            }
-    return found
-
-
-class StudyTest(DocumentTest):
-    def setUp(self):
-        super().setUp()
-        self.cable_between_pins(length="300 mm")
-        self.compute()
-
-    def study(self, *varied, **arguments):
-        made = make.study(
-            self.doc, self.cable, **({"varied": varied} if len(varied) > 1 else {}) | arguments
-        )
-        return made
-
-    def run_unchanged(self, study):
-        before = state(self.doc)
-        studying.run(study)
-        self.assertEqual(state(self.doc), before)
-        return study
-
-    def column(self, study, head):
-        sheet = study.Sheet
-        for letter in "ABCDEFGHIJKLMNOPQRSTUVWXYZ":
-            if head in str(sheet.getContents(f"{letter}1")):
-                contents = (sheet.getContents(f"{letter}{k}") for k in range(2, 200))
-                return [text.lstrip("'=") for text in contents if text]
-        raise AssertionError(head)
 
 
 class TestValues(StudyTest):
@@ -189,91 +137,4 @@ class TestTolerance(StudyTest):
     def test_no_tolerance_is_none(self):
         study = self.study(kind="Random", length_tolerance=False)
         with self.assertRaisesRegex(DocumentError, "no other tolerance"):
-            studying.run(study)
-
-
-class TestTrouble(StudyTest):
-    def refused(self, study, sentence):
-        before = state(self.doc)
-        with self.assertRaisesRegex(DocumentError, sentence):
-            studying.run(study)
-        self.assertEqual(state(self.doc), before)
-        self.assertTrue(study.Shape.isNull())
-        self.assertRegex(study.Status, sentence)
-
-    def test_what_cannot_be_varied(self):
-        self.refused(self.study(varied="Lenght", start=1, stop=2), "no number")
-        self.refused(self.study(self.right, "Label", start=1, stop=2), "no number")
-        self.refused(self.study(self.right, "Placement.Base", start=1, stop=2), "no number")
-
-    def test_what_does_not_matter(self):
-        self.refused(self.study(varied="Slack", start=0.1, stop=0.2), "does not change the cable")
-
-    def test_no_range(self):
-        self.refused(self.study(varied="Length", start=300, stop=300), "so is From")
-        self.refused(self.study(varied="Length", start=300, stop=400, count=1), "at least 2")
-
-    def test_nothing_can_be_solved(self):
-        self.refused(self.study(varied="Length", start=10, stop=20), "shortest possible length")
-
-    def test_an_abort_in_the_middle(self):
-        study = self.study(self.right, "Placement.Base.x", start=100, stop=140, count=9)
-        self.interrupted(study, FreeCAD.Base.FreeCADAbort("stop"), "was stopped")
-
-    def test_an_error_in_the_middle(self):
-        study = self.study(self.right, "Placement.Base.x", start=100, stop=140, count=9)
-        before = state(self.doc)
-        with (
-            self.after_three(RuntimeError("broken")),
-            self.assertRaisesRegex(RuntimeError, "broken"),
-        ):
-            studying.run(study)
-        self.assertEqual(state(self.doc), before)
-
-    def interrupted(self, study, error, sentence):
-        with self.after_three(error):
-            self.refused(study, sentence)
-
-    def after_three(self, error):
-        real, calls = studying.Family.scene, []
-
-        def scene(family, value):
-            calls.append(value)
-            if len(calls) > 6:
-                raise error
-            return real(family, value)
-
-        return mock.patch.object(studying.Family, "scene", scene)
-
-    def test_a_cable_that_is_not_solved(self):
-        study = self.study(varied="Length", start=300, stop=400)
-        self.cable.Length = 10
-        self.doc.recompute()
-        with self.assertRaisesRegex(DocumentError, "shortest possible length"):
-            studying.run(study)
-
-    def test_it_says_when_it_is_out_of_date(self):
-        study = self.study(varied="Length", start=280, stop=320, count=3)
-        self.doc.recompute()
-        self.assertTrue(study.OutOfDate)
-        studying.run(study)
-        self.doc.recompute()
-        self.assertFalse(study.OutOfDate)
-        self.right.Placement = Placement(Vector(125, 0, -10), Rotation())
-        self.doc.recompute()
-        self.assertTrue(study.OutOfDate)
-        self.assertEqual(len(study.Shape.Wires), 3)
-        self.assertIn("Out of date", study.Status)
-
-    def test_what_is_no_study(self):
-        with self.assertRaisesRegex(DocumentError, "must be a cable"):
-            make.study(self.doc, self.right)
-        with self.assertRaisesRegex(DocumentError, "must be a number with its unit"):
-            make.study(self.doc, self.cable, varied="Length", start="wide", stop=3)
-        self.assertEqual([o for o in self.doc.Objects if o.Name.startswith("Study")], [])
-
-    def test_a_deleted_cable(self):
-        study = self.study(varied="Length", start=280, stop=320, count=3)
-        self.doc.removeObject(self.cable.Name)
-        with self.assertRaisesRegex(DocumentError, "was deleted"):
             studying.run(study)

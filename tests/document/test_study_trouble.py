@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Studies that cannot be run, that are stopped, and whose answer is no longer one."""
+
+from unittest import mock
+
+import FreeCAD
+from FreeCAD import Placement, Rotation, Vector
+from studies import StudyTest, state
+
+from freecad_cable.document import make, studying
+from freecad_cable.errors import DocumentError
+
+
+class TestTrouble(StudyTest):
+    def refused(self, study, sentence):
+        before = state(self.doc)
+        with self.assertRaisesRegex(DocumentError, sentence):
+            studying.run(study)
+        self.assertEqual(state(self.doc), before)
+        self.assertTrue(study.Shape.isNull())
+        self.assertRegex(study.Status, sentence)
+
+    def test_what_cannot_be_varied(self):
+        self.refused(self.study(varied="Lenght", start=1, stop=2), "no number")
+        self.refused(self.study(self.right, "Label", start=1, stop=2), "no number")
+        self.refused(self.study(self.right, "Placement.Base", start=1, stop=2), "no number")
+
+    def test_what_does_not_matter(self):
+        self.refused(self.study(varied="Slack", start=0.1, stop=0.2), "does not change the cable")
+
+    def test_a_needed_length_of_a_free_end(self):
+        self.end.Condition = "Free"
+        self.compute()
+        given = {"varied": "Gravity.x", "start": 0, "stop": 5, "find_needed_length": True}
+        self.refused(self.study(**given), "FindNeededLength: is on, but an end is free")
+
+    def test_no_range(self):
+        self.refused(self.study(varied="Length", start=300, stop=300), "so is From")
+        self.refused(self.study(varied="Length", start=300, stop=400, count=1), "at least 2")
+
+    def test_nothing_can_be_solved(self):
+        self.refused(self.study(varied="Length", start=10, stop=20), "shortest possible length")
+
+    def test_an_abort_in_the_middle(self):
+        study = self.study(self.right, "Placement.Base.x", start=100, stop=140, count=9)
+        self.interrupted(study, FreeCAD.Base.FreeCADAbort("stop"), "was stopped")
+
+    def test_an_error_in_the_middle(self):
+        study = self.study(self.right, "Placement.Base.x", start=100, stop=140, count=9)
+        before = state(self.doc)
+        with (
+            self.after_three(RuntimeError("broken")),
+            self.assertRaisesRegex(RuntimeError, "broken"),
+        ):
+            studying.run(study)
+        self.assertEqual(state(self.doc), before)
+
+    def interrupted(self, study, error, sentence):
+        with self.after_three(error):
+            self.refused(study, sentence)
+
+    def after_three(self, error):
+        real, calls = studying.Family.scene, []
+
+        def scene(family, value):
+            calls.append(value)
+            if len(calls) > 6:
+                raise error
+            return real(family, value)
+
+        return mock.patch.object(studying.Family, "scene", scene)
+
+    def test_a_cable_that_is_not_solved(self):
+        study = self.study(varied="Length", start=300, stop=400)
+        self.cable.Length = 10
+        self.doc.recompute()
+        with self.assertRaisesRegex(DocumentError, "shortest possible length"):
+            studying.run(study)
+
+    def test_it_says_when_it_is_out_of_date(self):
+        study = self.study(varied="Length", start=280, stop=320, count=3)
+        self.doc.recompute()
+        self.assertTrue(study.OutOfDate)
+        studying.run(study)
+        self.doc.recompute()
+        self.assertFalse(study.OutOfDate)
+        self.right.Placement = Placement(Vector(125, 0, -10), Rotation())
+        self.doc.recompute()
+        self.assertTrue(study.OutOfDate)
+        self.assertEqual(len(study.Shape.Wires), 3)
+        self.assertIn("Out of date", study.Status)
+
+    def test_what_is_no_study(self):
+        with self.assertRaisesRegex(DocumentError, "must be a cable"):
+            make.study(self.doc, self.right)
+        with self.assertRaisesRegex(DocumentError, "must be a number with its unit"):
+            make.study(self.doc, self.cable, varied="Length", start="wide", stop=3)
+        self.assertEqual([o for o in self.doc.Objects if o.Name.startswith("Study")], [])
+
+    def test_a_deleted_cable(self):
+        study = self.study(varied="Length", start=280, stop=320, count=3)
+        self.doc.removeObject(self.cable.Name)
+        with self.assertRaisesRegex(DocumentError, "was deleted"):
+            studying.run(study)
