@@ -76,7 +76,9 @@ def _run_values(study):
         )
     varied = Varied(study, study.VariedObject or cable, study.VariedProperty)
     needed = None
-    with Kept(varied), _progress(study, len(wanted)) as tick:
+    # It is asked for Escape only while it goes on, so it has as many steps as it takes.
+    count = len(wanted) * (2 if study.FindNeededLength else 1)
+    with Kept(varied), _progress(study, count) as tick:
         family = Family(cable, varied)
         _check_effect(study, family, wanted)
         start = kept(cable, scene)
@@ -92,7 +94,8 @@ def _run_values(study):
         if study.Draw == "Envelope":
             drawn = close_together(family.scene, steps, scene.rod.radius, tick)
         if study.FindNeededLength:
-            needed = needed_length(partial(family.scene, asks_length=True), wanted)
+            scene_at = partial(family.scene, asks_length=True)
+            needed = needed_length(scene_at, wanted, tick=tick)
     found = motion(steps)
     reset(study, study.Proxy.TABLE)
     _draw(study, scene.rod.radius, [(step.value, step.solution) for step in drawn if step.solved])

@@ -75,10 +75,15 @@ class NeededLength:
 
 
 def needed_length(
-    scene_at: Callable[[float], Scene], values: Iterable[float], *, solve=find_equilibrium
+    scene_at: Callable[[float], Scene],
+    values: Iterable[float],
+    *,
+    solve=find_equilibrium,
+    tick=lambda: None,
 ) -> NeededLength:
     """The length that the worst position needs, and the longest that all allow, by a search for the shortest cable at
-    each value. Errors: ``ProblemError`` naming the value at which no length will do."""
+    each value. ``tick`` is called after each; what it raises ends the search. Errors: ``ProblemError`` naming the value
+    at which no length will do."""
     found = []
     for value in values:
         solution = solve(replace(scene_at(value), asks_length=True))
@@ -86,6 +91,7 @@ def needed_length(
             raise ProblemError("cable.length_mode", f"at {value:g}: {solution.message}")
         shortest, longest = solution.feasible_lengths
         found.append((shortest.length, longest.length, float(value)))
+        tick()
     length, _, where = max(found)
     longest, at = min((longest, value) for _, longest, value in found)
     return NeededLength(length, where, longest, at)

@@ -45,6 +45,22 @@ class TestTrouble(StudyTest):
         study = self.study(self.right, "Placement.Base.x", start=100, stop=140, count=9)
         self.interrupted(study, FreeCAD.Base.FreeCADAbort("stop"), "was stopped")
 
+    def test_an_abort_while_it_looks_for_the_length(self):
+        given = {"values": [100, 110, 120], "find_needed_length": True}
+        study, ticks = self.study(self.right, "Placement.Base.x", **given), []
+
+        class Bar:
+            start = stop = lambda *_: None
+
+            def next(self, can_abort):
+                ticks.append(can_abort)
+                if len(ticks) == 4:
+                    raise FreeCAD.Base.FreeCADAbort("stop")
+
+        with mock.patch.object(FreeCAD.Base, "ProgressIndicator", Bar):
+            self.refused(study, "was stopped")
+        self.assertEqual(ticks, [True] * 4)
+
     def test_an_error_in_the_middle(self):
         study = self.study(self.right, "Placement.Base.x", start=100, stop=140, count=9)
         before = state(self.doc)

@@ -48,6 +48,22 @@ def test_the_length_that_the_worst_position_needs():
         needed_length(lambda angle: HINGE.of(table_1(min_bend_radius=0.3), angle), values)
 
 
+def test_the_search_for_the_needed_length_can_be_stopped():
+    asked = []
+
+    def pressed():
+        if len(asked) == 2:
+            raise KeyboardInterrupt
+
+    def scene_at(angle):
+        asked.append(angle)
+        return hinged(angle)
+
+    with pytest.raises(KeyboardInterrupt):
+        needed_length(scene_at, [0.0, 0.1, 0.2, 0.3], tick=pressed)
+    assert asked == [0.0, 0.1]
+
+
 def test_a_motion_without_any_shape():
     with pytest.raises(ProblemError, match="no value at which"):
         motion(follow(table_1, [0.1, 0.2]))
