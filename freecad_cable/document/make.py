@@ -26,7 +26,7 @@ from .support import Clamp, Clip, Ring, Sleeve, Support
 from .terminal import Terminal
 
 NEEDS_UNIT = ("Quantity", "Force", "Pressure")
-"""A plain number here would be in FreeCAD's internal unit, which nobody means."""
+"""A plain number here, unless degrees, would be in FreeCAD's internal unit, which nobody means."""
 
 
 def terminal(doc, reference, *, inside=None, **properties):
@@ -244,7 +244,8 @@ def _apply(obj, properties):
             raise DocumentError(f"{key} is no property of a {kind}; known are {known}.")
         if prop.choices and value not in prop.choices:
             raise DocumentError(f"{key} is {value!r}; it must be one of {', '.join(prop.choices)}.")
-        if prop.kind in NEEDS_UNIT and isinstance(value, (int, float)):
+        needs_unit = prop.kind in NEEDS_UNIT and prop.unit != "deg"
+        if needs_unit and isinstance(value, (int, float)):
             raise DocumentError(
                 f"{key} is {value!r} without a unit; give it as '{value!r} {prop.unit}'."
             )

@@ -47,8 +47,8 @@ def complete(obj, table):
         new = prop.name not in obj.PropertiesList
         if new:
             _add(obj, prop)
-        if prop.kind == "Quantity":
-            # A fresh one has no unit, and files keep the number only.
+        # A fresh one has no unit, and files keep the number only; in a file from before it may be of another type.
+        if obj.getTypeIdOfProperty(prop.name) == "App::PropertyQuantity":
             setattr(obj, prop.name, Units.Quantity(f"1 {prop.unit}").Unit)
         if new and prop.value is not None:
             setattr(obj, prop.name, prop.value)

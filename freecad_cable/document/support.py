@@ -101,7 +101,7 @@ class Clamp(_Directed):
         slides(False),
         POSITION,
         REVERSE,
-        Prop("Roll", "Angle", "Support", "Turn about the axis of the reference", unit="deg"),
+        Prop("Roll", "Quantity", "Support", "Turn about the axis of the reference", unit="deg"),
         OFFSET,
         FRAME,
         STATUS,

@@ -28,7 +28,7 @@ class Terminal(Attached):
         Prop("Reverse", "Bool", "Terminal", "Turn the cable into the part instead of out of it"),
         Prop(
             "Roll",
-            "Angle",
+            "Quantity",
             "Terminal",
             "Turn about the cable's axis; whole turns do not count",
             unit="deg",

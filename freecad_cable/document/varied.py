@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A number somewhere in a document that is changed for a while, and everything as it was afterwards."""
 
+import math
 from contextlib import suppress
 
 import FreeCAD
@@ -13,6 +14,10 @@ from .read_scene import read_scene
 
 COMPUTED = ("ExpressionEngine", "cells", "Label", "Proxy", "Visibility")
 """Properties that are not put back by assigning them."""
+
+TAKEN = 1e-6
+"""By how much a number may differ from what it was set to, relative or as FreeCAD computes: the solver of an assembly
+moves parts by such."""
 
 
 class Varied:
@@ -44,6 +49,19 @@ class Varied:
             self._put(value)
         except (ArithmeticError, AttributeError, RuntimeError, TypeError, ValueError) as error:
             raise self._wrong(f"of {self.obj.Label} does not take {value:.6g}: {error}") from None
+        self.check(value)
+
+    def check(self, value):
+        """Whether the number is what it was set to: FreeCAD bounds many silently, and a recompute may set others.
+        Errors: ``DocumentError`` if not."""
+        if self.cell:
+            return
+        now = self._get()
+        now = getattr(now, "Value", now)
+        if not math.isclose(now, value, rel_tol=TAKEN, abs_tol=TAKEN):
+            raise self._wrong(
+                f"of {self.obj.Label} became {now:.6g} where {value:.6g} was set; give values that it can take."
+            )
 
     def release(self):
         """Take away what else gives the number its value; (path, expression) to put back."""
@@ -168,6 +186,7 @@ class Family:
         self.varied.set(value)
         for document, objects in self.ground.items():
             FreeCAD.getDocument(document).recompute(objects)
+        self.varied.check(value)
         for obj in self.ground.get(self.cable.Document.Name, ()):
             if not obj.isValid():
                 raise DocumentError(

@@ -2280,6 +2280,10 @@
       <translation>Hindernisse: {1} von {2} sind außer Reichweite eines Kabels dieser Länge (exakt)</translation>
     </message>
     <message>
+      <source>of {1} became {2} where {3} was set; give values that it can take</source>
+      <translation>von {1} wurde {2}, wo {3} gesetzt war; Werte angeben, die es annehmen kann</translation>
+    </message>
+    <message>
       <source>of {1} does not take {2}: {3}</source>
       <translation>von {1} nimmt {2} nicht an: {3}</translation>
     </message>

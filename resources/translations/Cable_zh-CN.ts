@@ -2280,6 +2280,10 @@
       <translation>障碍物：{2} 个中有 {1} 个在此长度线缆的可及范围之外（精确）</translation>
     </message>
     <message>
+      <source>of {1} became {2} where {3} was set; give values that it can take</source>
+      <translation>（{1}）被设为 {3}，却变成 {2}；请给出它可以取的值</translation>
+    </message>
+    <message>
       <source>of {1} does not take {2}: {3}</source>
       <translation>（{1}）不接受 {2}：{3}</translation>
     </message>

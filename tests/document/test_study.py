@@ -47,6 +47,28 @@ class TestValues(StudyTest):
         self.run_unchanged(study)
         self.assertEqual(len(set(self.column(study, "Energy"))), 4)
 
+    def test_a_roll_beyond_a_turn(self):
+        study = self.study(self.end, "Roll", start=330, stop=420, count=4)
+        self.run_unchanged(study)
+        self.assertEqual(list(study.DrawnValues), [330, 360, 390, 420])
+        self.assertEqual(len(set(self.column(study, "Energy"))), 4)
+
+    def test_a_value_that_the_property_does_not_take_is_a_row(self):
+        study = self.study(self.right, "Height", values=[10, -5, 12])
+        self.run_unchanged(study)
+        self.assertEqual(list(study.DrawnValues), [10, 12])
+        self.assertIn("Height of Right became 0 where -5 was set", study.Notes[0])
+
+    def test_a_whole_number_between_two_is_a_row(self):
+        array = self.doc.addObject("App::FeaturePython", "Array")
+        array.addProperty("App::PropertyInteger", "Count")
+        self.cable.setExpression("Length", "300 mm + 10 mm * Array.Count")
+        self.compute()
+        study = self.study(array, "Count", start=0, stop=2, count=5)
+        self.run_unchanged(study)
+        self.assertEqual(list(study.DrawnValues), [0, 1, 2])
+        self.assertIn("Count of Array became 0 where 0.5 was set", study.Notes[0])
+
     def test_a_cell_of_a_sheet_that_drives_a_part_and_the_cable(self):
         sheet = self.doc.addObject("Spreadsheet::Sheet", "Table")
         sheet.set("A1", "=120 mm")

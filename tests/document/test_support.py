@@ -56,7 +56,7 @@ class SupportTest(DocumentTest):
             "Position": "Distance",
         }
         for proxy, further in (
-            (Clamp, {"Reverse": "Bool", "Roll": "Angle"}),
+            (Clamp, {"Reverse": "Bool", "Roll": "Quantity"}),
             (Clip, {"Reverse": "Bool"}),
             (Sleeve, {"Reverse": "Bool"}),
             (Ring, {"Radius": "Distance", "Clearance": "Distance"}),

@@ -176,6 +176,13 @@ class BrokenReferenceTest(PinTest):
         self.compute()
         self.assertNear(terminal.Frame.Base, (10, 20, 30))
 
+    def test_whole_turns_of_roll_do_not_count(self):
+        for roll in (90, 450, "-270 deg"):
+            terminal = make.terminal(self.doc, (self.part, TOP), roll=roll)
+            self.compute()
+            self.assertNear(terminal.Frame.multVec(Vector(1, 0, 0)), (10, 21, 30))
+        self.assertEqual(terminal.Roll.UserString, "-270.00 °")
+
     def test_roll_that_is_no_number(self):
         terminal = make.terminal(self.doc, (self.part, TOP))
         terminal.Roll = float("nan")
