@@ -13,7 +13,7 @@ from ..shape.units import to_si
 from ..study import length_tolerance
 from .child import CABLE, Child
 from .obstacles import read_boxes, read_obstacles
-from .property_table import Prop, wrong
+from .property_table import Checked, Prop, wrong
 from .read_held import read_held
 from .read_scene import read_scene
 from .stored_solution import PLACE_DECIMALS, fingerprint
@@ -195,7 +195,12 @@ def inputs(study, cable, scene) -> str:
 def values(study) -> list[float]:
     """Of a study over a range. Errors: ``DocumentError``."""
     if study.Values:
+        for value in study.Values:
+            if not math.isfinite(value):
+                raise wrong(study, "Values", f"has {value}; they must be finite numbers.")
         return list(study.Values)
+    for name in ("From", "To"):
+        Checked(study, SETTINGS).number(name)
     if study.Count < 2:
         raise wrong(study, "Count", f"is {study.Count}; it must be at least 2.")
     if study.From == study.To:

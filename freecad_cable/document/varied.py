@@ -126,7 +126,7 @@ class Kept:
 
     def __enter__(self):
         varied = self.varied
-        self.touched = _touched()
+        self.touched, self.invalid = _in_state("Touched"), _in_state("Invalid")
         self.contents = varied.cell and varied.obj.getContents(varied.cell)
         FreeCAD.addDocumentObserver(self)
         self.value = varied._get()
@@ -150,23 +150,40 @@ class Kept:
         for path, text in self.expressions:
             varied.obj.setExpression(path, text)
         # The last first: a shape takes its placement along, and was changed after it. And once more: what sits on a
-        # part goes back to it as long as the part has not gone back itself.
-        for (document, name, prop), value in [*reversed(self.before.items())] * 2:
+        # part goes back to it as long as the part has not gone back itself, and what a number of a cable type changes
+        # of it when it goes back, as where that is from, is to go back, too.
+        self._put_back()
+        self._recompute_failed()
+        self._put_back()
+        for document, name in _in_state("Touched") - self.touched:
+            FreeCAD.getDocument(document).getObject(name).purgeTouched()
+
+    def _put_back(self):
+        for (document, name, prop), value in reversed(self.before.items()):
             obj = FreeCAD.getDocument(document).getObject(name)
             if obj is not None and obj.TypeId != "Spreadsheet::Sheet":
                 with suppress(AttributeError, RuntimeError, TypeError, ValueError):
-                    setattr(obj, prop, value)
-        for document, name in _touched() - self.touched:
-            FreeCAD.getDocument(document).getObject(name).purgeTouched()
+                    if getattr(obj, prop) != value:
+                        setattr(obj, prop, value)
+
+    def _recompute_failed(self):
+        """What failed at the last value would be in error with every property as it was."""
+        failed = _in_state("Invalid") - self.invalid
+        for document in {document for document, _ in failed}:
+            document = FreeCAD.getDocument(document)
+            own = [obj for obj in document.Objects if (document.Name, obj.Name) in failed]
+            for obj in own:
+                obj.touch()
+            document.recompute(own)
 
 
-def _touched():
-    """(document, object) of all that the next recompute would compute."""
+def _in_state(state):
+    """(document, object) of all that are in a state, as "Touched": the next recompute would compute them."""
     return {
         (document.Name, obj.Name)
         for document in FreeCAD.listDocuments().values()
         for obj in document.Objects
-        if "Touched" in obj.State
+        if state in obj.State
     }
 
 

@@ -1940,6 +1940,10 @@
       <translation>enthält {1}; erlaubt sind {2}</translation>
     </message>
     <message>
+      <source>has {1}; they must be finite numbers</source>
+      <translation>hat {1}; es müssen endliche Zahlen sein</translation>
+    </message>
+    <message>
       <source>is Enforce, but {1} has no limit; set its MinBendRadius, or use Check</source>
       <translation>ist Enforce, aber {1} hat keine Grenze; dessen MinBendRadius setzen oder Check verwenden</translation>
     </message>

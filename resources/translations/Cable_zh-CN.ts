@@ -1940,6 +1940,10 @@
       <translation>含有 {1}；允许的是 {2}</translation>
     </message>
     <message>
+      <source>has {1}; they must be finite numbers</source>
+      <translation>包含 {1}；必须都是有限数值</translation>
+    </message>
+    <message>
       <source>is Enforce, but {1} has no limit; set its MinBendRadius, or use Check</source>
       <translation>为 Enforce，但 {1} 没有限值；请设置其 MinBendRadius，或使用 Check</translation>
     </message>

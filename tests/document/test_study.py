@@ -6,7 +6,7 @@ from pathlib import Path
 
 from studies import StudyTest
 
-from freecad_cable.document import studying
+from freecad_cable.document import make, studying
 from freecad_cable.errors import DocumentError
 
 
@@ -98,6 +98,21 @@ class TestValues(StudyTest):
         self.run_unchanged(study)
         self.assertEqual(list(study.DrawnValues), [300, 310])
         self.assertIn("shortest possible length", study.Notes[0])
+
+    def test_a_last_value_at_which_something_cannot_be_computed(self):
+        self.end.Condition = "Swivel"
+        ring = make.ring(self.doc, self.plate("Plate", (60, 20, 60), (1, 0, 0)))
+        self.cable.Length, self.cable.Supports = 305, [ring]
+        self.compute()
+        for varied, broken in (((ring, "Clearance"), 20), ((self.left, "Radius"), 0)):
+            study = self.study(*varied, values=[4, 0.5, broken])
+            self.run_unchanged(study)
+            self.assertEqual(list(study.DrawnValues), [4, 0.5])
+            self.compute()
+        self.run_unchanged(self.study(varied="Length", values=[305, 310]))
+
+    def test_a_number_of_the_cable_type(self):
+        self.run_unchanged(self.study(self.type, "BendingStiffness", start=1e6, stop=2e6, count=3))
 
     def test_the_plot_is_a_drawing(self):
         study = self.study(varied="Length", start=280, stop=320, count=3)

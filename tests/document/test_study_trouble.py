@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Studies that cannot be run, that are stopped, and whose answer is no longer one."""
 
+import math
 from unittest import mock
 
 import FreeCAD
@@ -37,6 +38,8 @@ class TestTrouble(StudyTest):
     def test_no_range(self):
         self.refused(self.study(varied="Length", start=300, stop=300), "so is From")
         self.refused(self.study(varied="Length", start=300, stop=400, count=1), "at least 2")
+        self.refused(self.study(varied="Length", start=300, stop=math.nan), "To: is nan")
+        self.refused(self.study(varied="Length", values=[300, math.inf]), "Values: has inf")
 
     def test_nothing_can_be_solved(self):
         self.refused(self.study(varied="Length", start=10, stop=20), "shortest possible length")
