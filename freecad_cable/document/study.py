@@ -14,9 +14,12 @@ from ..study import length_tolerance
 from .child import CABLE, Child
 from .obstacles import read_boxes, read_obstacles
 from .property_table import Checked, Prop, wrong
+from .proxy import proxy_of
 from .read_held import read_held
 from .read_scene import read_scene
 from .stored_solution import PLACE_DECIMALS, fingerprint
+
+NOT_RUN = "No results yet; Run Study makes them."
 
 SETTINGS = (
     Prop(
@@ -112,9 +115,17 @@ RESULTS = tuple(
         ("ShareBetween", "FloatList", "Between what that is for all cables, with 95 % confidence"),
         ("WorstCase", "Integer", "Row of the worst case; its shape is drawn with the nominal one"),
         ("DrawnValues", "FloatList", "Value of each shape that is drawn"),
-        ("OutOfDate", "Bool", "Whether something has changed since the study was run"),
-        ("Status", "String", "What is wrong, or to be done"),
     )
+) + (
+    Prop(
+        "OutOfDate",
+        "Bool",
+        "Result",
+        "Whether something has changed since the study was run",
+        True,
+        result=True,
+    ),
+    Prop("Status", "String", "Result", "What is wrong, or to be done", NOT_RUN, result=True),
 )
 
 
@@ -139,6 +150,12 @@ class Study(Child):
         ),
     )
 
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        others = (each for each in obj.Document.Objects if each is not obj)
+        if obj.Sheet and any(proxy_of(each, Study) and each.Sheet is obj.Sheet for each in others):
+            obj.Sheet = None  # of the study this one is a copy of
+
     def set_editor_modes(self, obj):
         obj.setEditorMode("Placement", 2)
 
@@ -146,12 +163,17 @@ class Study(Child):
         """A recompute looks whether the study is up to date; ``studying.run`` brings it there."""
         cable = self.linked_cable(obj)
         if not obj.StudiedInputs:
-            obj.OutOfDate, obj.Status = True, "Not run yet; Run Study does."
+            obj.OutOfDate, obj.Status = True, NOT_RUN
             return
         obj.OutOfDate = obj.StudiedInputs != inputs(obj, cable, read_studied(obj, cable))
         obj.Status = "Out of date; Run Study brings it up to date." if obj.OutOfDate else ""
 
     def clear(self, obj, sentence):
+        """What it has found stays and says that it is old: the cable may be well again, and a run takes long."""
+        obj.OutOfDate, obj.Status = True, sentence
+
+    def forget(self, obj, sentence):
+        """No shapes, no numbers, and the reason why."""
         super().clear(obj, sentence)
         obj.StudiedInputs = ""
 

@@ -60,7 +60,7 @@ def run(study, executor=None):
 
 
 def _fail(study, sentence):
-    study.Proxy.clear(study, sentence)
+    study.Proxy.forget(study, sentence)
     study.purgeTouched()
     raise DocumentError(sentence) from None
 

@@ -1592,16 +1592,16 @@
       <translation>Keine Länge bis {1} genügt. Am besten ist {2}, aber {3}; eine Grenze, die diese Länge einhält, andere Enden oder Halterungen oder ein weicheres Kabel würden helfen</translation>
     </message>
     <message>
+      <source>No results yet; Run Study makes them</source>
+      <translation>Noch keine Ergebnisse; der Befehl „Studie“ macht sie</translation>
+    </message>
+    <message>
       <source>No shape of this cable satisfies all requirements</source>
       <translation>Keine Form dieses Kabels erfüllt alle Anforderungen</translation>
     </message>
     <message>
       <source>No shape yet</source>
       <translation>Noch keine Form</translation>
-    </message>
-    <message>
-      <source>Not run yet; Run Study does</source>
-      <translation>Noch nicht gelaufen; der Befehl „Studie“ lässt sie laufen</translation>
     </message>
     <message>
       <source>Out of date</source>

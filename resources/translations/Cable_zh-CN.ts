@@ -1592,16 +1592,16 @@
       <translation>{1} 以内没有可行的长度。最好的是 {2}，但{3}；放宽到该长度能满足的限值、更换端部或支撑，或使用更软的线缆会有帮助</translation>
     </message>
     <message>
+      <source>No results yet; Run Study makes them</source>
+      <translation>尚无结果；请用“研究”命令生成</translation>
+    </message>
+    <message>
       <source>No shape of this cable satisfies all requirements</source>
       <translation>该线缆没有满足所有要求的形状</translation>
     </message>
     <message>
       <source>No shape yet</source>
       <translation>尚无形状</translation>
-    </message>
-    <message>
-      <source>Not run yet; Run Study does</source>
-      <translation>尚未运行；请用“研究”命令运行</translation>
     </message>
     <message>
       <source>Out of date</source>

@@ -166,7 +166,7 @@ class LanguageTest(SupportedTest):
         self.check(route, "Catenary kann nicht gezeichnet werden: Schwerkraft: ist null")
         study = make.study(self.doc, self.cable, varied="Length", start=300, stop=320, count=1)
         study.Label = "D1"
-        self.check(study, "Noch nicht gelaufen")
+        self.check(study, "Noch keine Ergebnisse")
         with self.assertRaises(CableError) as caught:
             studying.run(study)
         self.assertIn("es muss mindestens 2 sein.", self.german(str(caught.exception)))

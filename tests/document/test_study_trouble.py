@@ -96,19 +96,6 @@ class TestTrouble(StudyTest):
         with self.assertRaisesRegex(DocumentError, "shortest possible length"):
             studying.run(study)
 
-    def test_it_says_when_it_is_out_of_date(self):
-        study = self.study(varied="Length", start=280, stop=320, count=3)
-        self.doc.recompute()
-        self.assertTrue(study.OutOfDate)
-        studying.run(study)
-        self.doc.recompute()
-        self.assertFalse(study.OutOfDate)
-        self.right.Placement = Placement(Vector(125, 0, -10), Rotation())
-        self.doc.recompute()
-        self.assertTrue(study.OutOfDate)
-        self.assertEqual(len(study.Shape.Wires), 3)
-        self.assertIn("Out of date", study.Status)
-
     def test_what_is_no_study(self):
         with self.assertRaisesRegex(DocumentError, "must be a cable"):
             make.study(self.doc, self.right)
@@ -121,3 +108,67 @@ class TestTrouble(StudyTest):
         self.doc.removeObject(self.cable.Name)
         with self.assertRaisesRegex(DocumentError, "was deleted"):
             studying.run(study)
+
+
+class TestOutOfDate(StudyTest):
+    def test_it_says_when_it_is_out_of_date(self):
+        study = self.study(varied="Length", start=280, stop=320, count=3)
+        self.doc.recompute()
+        self.assertTrue(study.OutOfDate)
+        self.assertIn("No results yet", study.Status)
+        studying.run(study)
+        self.doc.recompute()
+        self.assertFalse(study.OutOfDate)
+        self.right.Placement = Placement(Vector(125, 0, -10), Rotation())
+        self.doc.recompute()
+        self.assertTrue(study.OutOfDate)
+        self.assertEqual(len(study.Shape.Wires), 3)
+        self.assertIn("Out of date", study.Status)
+
+    def test_an_error_of_the_cable_does_not_take_its_answer(self):
+        study = self.study(varied="Length", start=280, stop=320, count=3)
+        studying.run(study)
+        radius = study.SmallestBendRadius
+        self.cable.Length = 10
+        self.doc.recompute()
+        self.assertIn("shortest possible length", study.Status)
+        self.assertTrue(study.OutOfDate)
+        self.assertEqual(len(study.Shape.Wires), 3)
+        self.cable.Length = 300
+        self.compute()
+        self.assertEqual(study.Status, "")
+        self.assertFalse(study.OutOfDate)
+        self.assertEqual(study.SmallestBendRadius, radius)
+
+    def test_a_run_that_is_undone(self):
+        self.doc.UndoMode = 1
+        study = self.study(varied="Length", start=280, stop=320, count=3)
+        self.doc.openTransaction("Study")
+        studying.run(study)
+        self.doc.commitTransaction()
+        self.doc.undo()
+        self.assertTrue(study.Shape.isNull())
+        self.assertTrue(study.OutOfDate)
+        self.assertIn("No results yet", study.Status)
+        self.doc.redo()
+        self.assertEqual(len(study.Shape.Wires), 3)
+        self.assertEqual((study.OutOfDate, study.Status), (False, ""))
+
+    def test_a_copy_has_a_sheet_of_its_own(self):
+        study = self.study(varied="Length", start=280, stop=320, count=3)
+        studying.run(study)
+        copy = self.doc.copyObject(study, False)
+        self.assertIsNone(copy.Sheet)
+        copy.To = 360
+        studying.run(copy)
+        self.assertEqual(self.column(study, "Length ["), ["280", "300", "320"])
+        self.assertEqual(self.column(copy, "Length ["), ["280", "320", "360"])
+
+    def test_a_copy_with_its_sheet(self):
+        study = self.study(varied="Length", start=280, stop=320, count=3)
+        studying.run(study)
+        copy = next(
+            obj for obj in self.doc.copyObject([study, study.Sheet], False) if hasattr(obj, "Cable")
+        )
+        self.assertIsNot(copy.Sheet, study.Sheet)
+        self.assertEqual(self.column(copy, "Length ["), ["280", "300", "320"])
