@@ -17,6 +17,8 @@ NOT_GIVEN = ("OuterDiameter", "MassPerLength", "BendingStiffness", "TorsionalSti
 """What every cable has, so that there is a number from the start."""
 
 IN_SCENE = {
+    "cable.radius": "OuterDiameter",
+    "cable.min_bend_radius": "MinBendRadius",
     "cable.mass_per_length": "MassPerLength",
     "cable.bending_stiffness[0]": "BendingStiffness",
     "cable.bending_stiffness[1]": "SecondBendingStiffness",
@@ -240,7 +242,8 @@ def _compute(obj, checked, diameter):
 
 def _in_properties(obj, error):
     name = IN_SCENE.get(error.field, IN_SCENE.get(error.field.partition("[")[0]))
-    return wrong(obj, name, f"{error.message}.")
+    # The length is that of a cable, which says so itself.
+    return error if name is None else wrong(obj, name, f"{error.message}.")
 
 
 def _in_words(rod, diameter):

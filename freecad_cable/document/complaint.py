@@ -27,6 +27,13 @@ IN_SUPPORT = {
 }
 """Fields of a support of the scene and the properties that state them."""
 
+IN_STUDY = {
+    "tolerance.count": "Cases",
+    "tolerance.seed": "Seed",
+    "cable.length_mode": "FindNeededLength",
+}
+"""Fields of a study of the core and the properties of a study that state them."""
+
 OBSTACLE = "obstacle "
 SUPPORT = "support "
 
@@ -40,6 +47,23 @@ def in_words(cable, sentence) -> str:
     """A sentence of the core for a person who sees the document."""
     labels = [obj.Label for obj in cable.Document.Objects]
     return sentence_from_si(sentence, labels).replace("cable.length: is", "its length is")
+
+
+def in_row(cable, sentence) -> str:
+    """What is wrong in a row of a study, which may begin with a field of the scene."""
+    said = in_words(cable, sentence)
+    field, _, complaint = said.partition(": ")
+    known = field in IN_SCENE or field.rpartition(".")[0] in map(place_of, cable.Supports)
+    if not known:
+        return said
+    return str(in_properties(cable, ProblemError(field, complaint.rstrip("."))))
+
+
+def of_study(study, error: ProblemError) -> DocumentError:
+    """The error of the property of a study, or of its cable, that states what is wrong."""
+    if (name := IN_STUDY.get(error.field)) is not None:
+        return wrong(study, name, f"{in_words(study.Cable, error.message).rstrip('.')}.")
+    return DocumentError(f"{study.Label}: {in_row(study.Cable, str(error)).rstrip('.')}.")
 
 
 def in_properties(cable, error: ProblemError) -> DocumentError:

@@ -6,9 +6,10 @@ from itertools import count, takewhile
 
 import numpy as np
 
-from ..shape.units import from_si, sentence_from_si
+from ..shape.units import from_si
 from ..study.colours import scale
 from ..study.plot import Panel, svg
+from .complaint import in_row
 
 COLUMNS = (
     ("Length [mm]", "length", "length"),
@@ -46,7 +47,7 @@ def write(study, names, rows):
     sheet.setStyle(f"A1:{_letters(len(heads) - 1)}1", "bold")
     colours = scale([row.values[0] for row in rows])
     for number, row in enumerate(rows[:LAST], 2):
-        for column, text in enumerate([*map(_number, row.values), *_cells(row)]):
+        for column, text in enumerate([*map(_number, row.values), *_cells(study.Cable, row)]):
             if text:
                 sheet.set(f"{_letters(column)}{number}", text)
         if len(names) == 1:
@@ -54,6 +55,11 @@ def write(study, names, rows):
     if len(rows) > LAST:
         sheet.set(f"A{LAST + 2}", f"'and {len(rows) - LAST} more")
     sheet.recompute()
+
+
+def note(cable, row) -> str:
+    """What a row says in words; empty if nothing."""
+    return " ".join(in_row(cable, text) for text in (row.note, row.error) if text)
 
 
 def columns(study) -> dict[str, list[str]]:
@@ -74,7 +80,7 @@ def columns(study) -> dict[str, list[str]]:
     return found
 
 
-def _cells(row):
+def _cells(cable, row):
     for _, field, kind in COLUMNS:
         value = getattr(row, field)
         if isinstance(value, bool):
@@ -83,7 +89,7 @@ def _cells(row):
             yield ""
         else:
             yield _number(from_si(kind, value) if kind else value)
-    said = sentence_from_si(" ".join(filter(None, (row.note, row.error))))
+    said = note(cable, row)
     # An apostrophe makes text of what looks like a formula.
     yield f"'{said}" if said else ""
 

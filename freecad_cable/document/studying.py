@@ -14,7 +14,7 @@ from ..equilibrium import find_equilibrium
 from ..errors import CableError, DocumentError, ProblemError
 from ..shape.centreline import centreline_wire
 from ..shape.sweep import sweep_round
-from ..shape.units import from_si, sentence_from_si
+from ..shape.units import from_si
 from ..study import (
     Parameter,
     Variation,
@@ -29,6 +29,7 @@ from ..study.cases import Verdict, solution
 from ..study.motion import close_together
 from ..study.variation import held_within, longer
 from . import study_sheet
+from .complaint import of_study
 from .property_table import reset, wrong
 from .stored_solution import fingerprint, kept
 from .study import held_tolerances, inputs, read_studied, solved_cable, values
@@ -51,7 +52,7 @@ def run(study, executor=None):
         else:
             _run_tolerance(study, executor)
     except ProblemError as error:
-        _fail(study, f"{study.Label}: {sentence_from_si(str(error)).rstrip('.')}.")
+        _fail(study, str(of_study(study, error)))
     except CableError as error:
         _fail(study, str(error))
     except FreeCAD.Base.FreeCADAbort:
@@ -117,7 +118,10 @@ def _run_values(study):
         study.AllowedLength = from_si("length", needed.longest)
     study.JumpValues = [jump.value for jump in found.jumps]
     rows = [step.row for step in steps]
-    study.Notes = [f"{row.values[0]:.6g}: {text}" for row in rows if (text := _text(row))]
+    said = [study_sheet.note(cable, row) for row in rows]
+    study.Notes = [
+        f"{row.values[0]:.6g}: {text}" for row, text in zip(rows, said, strict=True) if text
+    ]
     name = f"{varied.path} [{varied.unit_text}]" if varied.unit_text else varied.path
     if varied.obj is not cable:
         name = f"{varied.obj.Label} {name}"
@@ -183,9 +187,10 @@ def _run_tolerance(study, executor):
     )
     clearances = [row.smallest_clearance for row in rows if row.smallest_clearance is not None]
     study.SmallestClearance = from_si("length", min(clearances, default=math.inf))
+    said = study_sheet.note(cable, rows[verdict.worst]) or "it holds with the least margin."
     study.Notes = [
         f"{verdict.holding} of {verdict.count} cases hold.",
-        f"Row {verdict.worst + 1} is the worst: {_text(rows[verdict.worst]) or 'it holds with the least margin.'}",
+        f"Row {verdict.worst + 1} is the worst: {said}",
     ]
     study_sheet.write(study, [_name(each.parameter) for each in variations], rows)
     _plot(study, study_sheet.histogram(study, rows, scene.rod.min_bend_radius))
@@ -219,10 +224,6 @@ def _name(parameter):
     unit = {"move": "m", "add": "m", "turn": "rad"}.get(parameter.how)
     words = [parameter.field, parameter.how, axis or "", f"[{unit}]" if unit else ""]
     return " ".join(filter(None, words))
-
-
-def _text(row):
-    return sentence_from_si(" ".join(filter(None, (row.note, row.error))))
 
 
 @contextmanager

@@ -86,7 +86,10 @@ def needed_length(
     at which no length will do."""
     found = []
     for value in values:
-        solution = solve(replace(scene_at(value), asks_length=True))
+        try:
+            solution = solve(replace(scene_at(value), asks_length=True))
+        except ProblemError as error:
+            raise ProblemError(error.field, f"at {value:g}: {error.message}") from None
         if not solution.status.success:
             raise ProblemError("cable.length_mode", f"at {value:g}: {solution.message}")
         shortest, longest = solution.feasible_lengths

@@ -41,6 +41,33 @@ class TestTrouble(StudyTest):
         self.refused(self.study(varied="Length", start=300, stop=math.nan), "To: is nan")
         self.refused(self.study(varied="Length", values=[300, math.inf]), "Values: has inf")
 
+    def test_it_says_the_property_that_states_what_is_wrong(self):
+        self.refused(self.study(kind="Random", cases=0), "^Study, Cases: is 0; it must be")
+        self.refused(self.study(kind="Random", seed=-1), "^Study001, Seed: is -1; it must be")
+        self.type.MinBendRadius = "500 mm"
+        self.compute()
+        given = {"values": [100, 110], "find_needed_length": True}
+        study = self.study(self.right, "Placement.Base.x", **given)
+        self.refused(study, "^Study002, FindNeededLength: at 100: .*No length")
+        huge = self.study(varied="Length", start=1e300, stop=1e301)
+        self.refused(huge, "Cable, Length: is 1e.297; it must be")
+
+    def test_cases_that_are_none(self):
+        ring = make.ring(self.doc, self.plate("Plate", (60, 20, 60), (1, 0, 0)), position="150 mm")
+        self.cable.Supports = [ring]
+        self.compute()
+        study = self.study(kind="Corners", position_tolerance="1 m", length_tolerance=False)
+        self.run_unchanged(study)
+        said = [*study.Notes, *self.column(study, "Note")]
+        self.assertIn("Ring, Position, leaves 150 mm of cable between", said[1])
+        self.assertEqual([text for text in said if "support Ring" in text.partition(":")[0]], [])
+
+    def test_cases_that_are_too_short(self):
+        study = self.study(kind="Corners", position_tolerance="1 m", length_tolerance=False)
+        self.run_unchanged(study)
+        self.assertIn("worst: its length is 300 mm, but", study.Notes[1])
+        self.assertIn("its length is 300 mm, but", self.column(study, "Note")[0])
+
     def test_nothing_can_be_solved(self):
         self.refused(self.study(varied="Length", start=10, stop=20), "shortest possible length")
 
