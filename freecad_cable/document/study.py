@@ -184,6 +184,10 @@ def read_studied(study, cable) -> Scene:
     if study.Kind == "Values":
         return read_scene(cable)  # each value reads its own
     scene = read_held(cable)
+    if scene.asks_length and cable.SolvedLength.Value:
+        # It is made as long as was found, and not anew for each case.
+        rod = replace(scene.rod, length=to_si("length", cable.SolvedLength))
+        scene = replace(scene, rod=rod, asks_length=False)
     distance, _ = held_tolerances(study)
     # What an end moves is as if the cable were longer by as much.
     more = 2 * math.sqrt(3) * distance

@@ -171,6 +171,15 @@ class TestTolerance(StudyTest):
         self.assertEqual(len(self.column(study, "Length [")), 4)
         self.assertEqual(sorted(set(self.column(study, "Length ["))), ["300", "325"])
 
+    def test_a_cable_is_made_as_long_as_was_found(self):
+        self.type.MinBendRadius = "30 mm"
+        self.cable.LengthMode = "Shortest"
+        self.compute()
+        study = self.run_unchanged(self.study(kind="Corners"))
+        found = self.cable.SolvedLength.Value
+        for text, length in zip(self.column(study, "Length ["), (found, found + 50), strict=True):
+            self.assertAlmostEqual(float(text), length, delta=2e-3)
+
     def test_no_tolerance_is_none(self):
         study = self.study(kind="Random", length_tolerance=False)
         with self.assertRaisesRegex(DocumentError, "no other tolerance"):
