@@ -132,13 +132,17 @@ def _run_values(study):
 
 def _check_effect(study, family, wanted):
     """A number that the cable does not depend on would give a family of one shape."""
-    prints = []
-    for value in (wanted[0], wanted[-1], wanted[len(wanted) // 2]):
+    lengths = (False, True) if study.FindNeededLength else (False,)
+    prints = set()
+    # The ends of a range and its middle mostly tell.
+    for value in (wanted[0], wanted[-1], wanted[len(wanted) // 2], *wanted):
         try:
-            prints.append(fingerprint(family.scene(value)))
+            prints.add(fingerprint([family.scene(value, asks) for asks in lengths]))
         except DocumentError:
             return  # the rows will say so
-    if len(set(wanted)) > 1 and len(set(prints)) == 1:
+        if len(prints) > 1:
+            return
+    if len(set(wanted)) > 1:
         raise wrong(
             study,
             "VariedProperty",

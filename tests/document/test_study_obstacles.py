@@ -68,3 +68,15 @@ class TestObstacles(StudyTest):
         needed, allowed = zip(*lengths, strict=True)
         self.assertAlmostEqual(study.NeededLength.Value, max(needed), delta=0.1)
         self.assertAlmostEqual(study.AllowedLength.Value, min(allowed), delta=0.1)
+
+    def test_an_obstacle_that_passes_by(self):
+        study = self.study(self.lid, "Placement.Base.z", values=[300, 60, 320, 340, 360])
+        self.run_unchanged(study)
+        self.assertEqual(study.SmallestClearanceValue, 60)
+
+    def test_an_obstacle_that_only_longer_cables_reach(self):
+        self.type.MinBendRadius = "30 mm"
+        self.compute()
+        given = {"values": [76, 78], "find_needed_length": True}
+        study = self.run_unchanged(self.study(self.lid, "Placement.Base.z", **given))
+        self.assertLess(study.AllowedLength.Value, 220)

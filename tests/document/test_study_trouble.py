@@ -108,11 +108,11 @@ class TestTrouble(StudyTest):
     def after_three(self, error):
         real, calls = studying.Family.scene, []
 
-        def scene(family, value):
+        def scene(family, value, *asks_length):
             calls.append(value)
             if len(calls) > 6:
                 raise error
-            return real(family, value)
+            return real(family, value, *asks_length)
 
         return mock.patch.object(studying.Family, "scene", scene)
 
