@@ -25,7 +25,7 @@ SAME = 0.01
 """Distance of places, in radii of the cable, that are one."""
 EVEN = 1e-3
 """Difference of gaps, in radii of the cable, by which features are two."""
-LOOKS = 5
+LOOKS = 8
 """Looks for the nearest place between two samples."""
 
 
@@ -231,6 +231,7 @@ def _nearest(around_it, near, shape, sites, begin, end, least) -> _Sites:
     """Where an obstacle is nearest, from ``sites`` between ``begin`` and ``end``: arc lengths (m,) and the slopes (m,)
     of the gap there, negative and positive. Its bend is ``least`` (m,) at least."""
     (low, falls), (high, rises) = begin, end
+    last = np.full(len(low), -1)
     for looks in range(1, LOOKS + 1):
         what = around_it.nearest_of(near.obstacle, sites.position)
         sites.features[:] = contact.parameters(what, around_it.keep)
@@ -238,9 +239,11 @@ def _nearest(around_it, near, shape, sites, begin, end, least) -> _Sites:
         place, before = sites.arc_length, slope < 0
         low, falls = np.where(before, place, low), np.where(before, slope, falls)
         high, rises = np.where(before, high, place), np.where(before, rises, slope)
-        # Facets have one slope each: the place is at the edge between two of them.
+        # Facets have one slope each: the place is at the edge between two of them, and where that is on one side twice
+        # the slopes tell nothing.
         share = falls / np.minimum(falls - rises, -1e-300)
-        then = low + share.clip(0.1, 0.9) * (high - low)
+        share = np.where(before == last, 0.5, share.clip(0.1, 0.9))
+        then, last = low + share * (high - low), before
         newton = place - slope / np.where(bend > 0, bend, np.inf)
         then = np.where((own > 0) & (low <= newton) & (newton <= high), newton, then)
         if looks == LOOKS or (np.abs(then - place) < SAME * around_it.radius).all():

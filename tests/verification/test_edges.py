@@ -8,7 +8,7 @@ import pytest
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.options import SolveOptions
-from freecad_cable.problem import Box, Clamped, Rod, Scene
+from freecad_cable.problem import Box, Clamped, Free, Rod, Scene
 
 
 def unit(quaternion):
@@ -54,3 +54,32 @@ def test_a_cable_that_a_plate_cuts_goes_around_it():
     (contact,) = solution.contacts
     assert np.linalg.norm(contact.force) > 1e-3
     assert solution.min_clearance == pytest.approx(0, abs=0.01 * CUT.rod.radius)
+
+
+def test_the_place_is_found_where_an_edge_is_met_between_two_faces():
+    """A bent cable that hangs against a box: beside the edge the gap falls steeply, beyond it next to nothing."""
+    hanging = Scene(
+        rod=Rod(
+            length=0.83166,
+            radius=0.0039146,
+            mass_per_length=0.094682,
+            bending_stiffness=0.0021128,
+            torsional_stiffness=0.0017807,
+            natural_curvature=[0.37183, -3.8683, 0.0],
+        ),
+        start=Clamped([0, 0, 0], unit([0.7895422, -0.1008436, 0.590796, -0.131961])),
+        end=Free(),
+        gravity=[0, 0, -9.81],
+        obstacles=[
+            Box(
+                [0.10549122, -0.00583531, -0.38616471],
+                [1, 0, 0, 0],
+                [0.04278258, 0.10632122, 0.02800582],
+            )
+        ],
+    )
+    solution = find_equilibrium(hanging).raise_for_status()
+    (contact,) = solution.contacts
+    ends = solution.start_reaction.force + contact.force
+    weight = hanging.rod.mass_per_length * hanging.rod.length * hanging.gravity
+    assert np.linalg.norm(ends + weight) < 1e-3 * np.linalg.norm(weight)
