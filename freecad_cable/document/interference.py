@@ -56,18 +56,18 @@ class _Course:
     tube: Tube
     clearance: float
     curve: object
-    """centreline [mm] in its container; its parameter is its length from the start"""
+    """centreline [mm] in its container, without the scale of a link; its parameter is its length from the start"""
     held: tuple
     """lengths from the start [m] where a terminal or a support holds it"""
 
     @property
     def length(self):
-        return to_si("length", self.curve.LastParameter)
+        return to_si("length", self.curve.LastParameter) * self.run.scale
 
     def at(self, lengths):
         """Points (n, 3) [m] at lengths (n,) [m] from the start."""
-        found = map(self.curve.value, from_si("length", lengths).tolist())
-        return vectors_to_si([self.run.placement.multVec(point) for point in found])
+        found = map(self.curve.value, from_si("length", lengths / self.run.scale).tolist())
+        return vectors_to_si([self.run.matrix.multVec(point) for point in found])
 
 
 def report(doc, solids=None, limit="10 mm") -> list[Row]:
@@ -145,7 +145,7 @@ def _course(run) -> _Course:
     made, scene = tube(run), read_held(cable)
     ends = zip((scene.start, scene.end), (0, -1), strict=True)
     held = [at for end, at in ends if not isinstance(end, Free)] + list(cable.NodeOfSupport)
-    lengths = tuple(cable.NodeArcLength[node] for node in held)
+    lengths = tuple(cable.NodeArcLength[node] * run.scale for node in held)
     return _Course(run, made, scene.clearance, centreline(nodes(cable)), lengths)
 
 

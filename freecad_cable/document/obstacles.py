@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import Part
-from FreeCAD import Placement
+from FreeCAD import Matrix
 
 from ..errors import DocumentError, ProblemError
 from ..problem import Free, Scene, Tube
@@ -20,6 +20,7 @@ from .observer import dependents
 from .property_table import wrong
 from .read_held import read_held
 from .reference import based_beside, is_plain_group, pairs, shape_at
+from .similarity import similarity
 from .stored_solution import nodes
 
 CROWDED = 0.1
@@ -35,7 +36,12 @@ class Run:
 
     label: str
     cable: object
-    placement: Placement
+    matrix: Matrix
+
+    @property
+    def scale(self) -> float:
+        """Errors: ``DocumentError`` if a link stretches or mirrors it."""
+        return similarity(self.label, self.matrix)[1]
 
 
 @dataclass(frozen=True)
@@ -100,7 +106,7 @@ def pieces(root, way):
         raise DocumentError(f"has {way} of {root.Label}, which was deleted or moved.")
     source = obj.getLinkedObject(True)
     if hasattr(source, "NodePosition"):
-        yield Run(obj.Label, source, root.getSubObject(way, retType=3))
+        yield Run(obj.Label, source, root.getSubObject(way, retType=4))
     elif source.isDerivedFrom("Part::Feature") and not getattr(obj, "ElementCount", 0):
         for i, solid in enumerate(shape_at(root, way).Solids):
             name = f"{source.Document.Name}.{source.Name}.{i}"
@@ -119,7 +125,7 @@ def _is_visible(parent, step, child):
 
 
 def tube(run) -> Tube:
-    """A cable as what another one must not enter. Errors: ``DocumentError`` if it is not solved."""
+    """A cable as what another one must not enter. Errors: ``DocumentError`` if it is not solved, or stretched."""
     cable = run.cable
     if not cable.SolvedInputs:
         raise DocumentError(cable.Status or f"{cable.Label} is not solved; recompute it.")
@@ -128,8 +134,8 @@ def tube(run) -> Tube:
     # A chord of length h is h²/8R off an arc of radius R.
     chord = math.sqrt(8 * SAGITTA * from_si("length", radius) * cable.SmallestBendRadius.Value)
     count = 2 + int(curve.length() / chord)
-    points = [run.placement.multVec(point) for point in curve.discretize(Number=count)]
-    return Tube(vectors_to_si(points), radius, place=OBSTACLE + run.label)
+    points = [run.matrix.multVec(point) for point in curve.discretize(Number=count)]
+    return Tube(vectors_to_si(points), radius * run.scale, place=OBSTACLE + run.label)
 
 
 def crowded(scene) -> list[str]:

@@ -10,10 +10,11 @@ is found is in the coordinates of the container that both share.
 from dataclasses import dataclass
 
 import Part
-from FreeCAD import Placement
+from FreeCAD import Matrix, Placement
 
 from ..errors import DocumentError
 from .proxy import in_use
+from .similarity import similarity
 
 MISSING = "?"
 """FreeCAD marks the name of an edge or face that is gone with it."""
@@ -25,12 +26,17 @@ class Found:
 
     name: str
     """for messages: element and label"""
-    placement: Placement
+    matrix: Matrix
     """of the object"""
     element: Part.Shape | None = None
     """the edge, face or vertex; None if the whole object is meant"""
     whole: Part.Shape | None = None
     """the object that has the element"""
+
+    @property
+    def placement(self) -> Placement:
+        """That of the object. Errors: ``DocumentError`` if a link stretches or mirrors it."""
+        return similarity(self.name, self.matrix)[0]
 
 
 def pairs(reference):
@@ -129,14 +135,14 @@ def find(pair) -> Found:
     *down, element = _split(root, path)
     obj = _at(root, down)
     way = "".join(f"{name}." for name in down)
-    placement = root.getSubObject(way, retType=3)
+    matrix = root.getSubObject(way, retType=4)
     if not element:
-        return Found(obj.Label, placement)
+        return Found(obj.Label, matrix)
     name = f"{element.lstrip(MISSING)} of {obj.Label}"
     whole = shape_at(root, way)
     if MISSING in element or Part.getShape(root, way + element, needSubElement=True).isNull():
         raise DocumentError(f"{name} is missing: the part has changed. Choose another.")
-    return Found(name, placement, whole.getElement(element), whole)
+    return Found(name, matrix, whole.getElement(element), whole)
 
 
 def shape_at(root, way):

@@ -2484,6 +2484,10 @@
       <translation>{1} ist nicht gelöst; es neu berechnen</translation>
     </message>
     <message>
+      <source>{1} is stretched or mirrored by the scale of a link; let the link have one scale for all axes, greater than 0</source>
+      <translation>{1} wird durch den Maßstab eines Links gestreckt oder gespiegelt; dem Link einen einzigen Maßstab für alle Achsen geben, größer als 0</translation>
+    </message>
+    <message>
       <source>{1} is the {2} at which an equilibrium was found. At {3}: {4}</source>
       <translation>{1} ist die {2} Länge, bei der ein Gleichgewicht gefunden wurde. Bei {3}: {4}</translation>
     </message>

@@ -2484,6 +2484,10 @@
       <translation>{1} 未求解；请重新计算</translation>
     </message>
     <message>
+      <source>{1} is stretched or mirrored by the scale of a link; let the link have one scale for all axes, greater than 0</source>
+      <translation>{1} 被链接的缩放拉伸或镜像；请让链接在所有轴上使用同一个大于 0 的缩放</translation>
+    </message>
+    <message>
       <source>{1} is the {2} at which an equilibrium was found. At {3}: {4}</source>
       <translation>{1} 是找到平衡的{2}长度。在 {3}：{4}</translation>
     </message>
