@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moves that FreeCAD does not pass on.
+"""Moves and errors that FreeCAD does not pass on.
 
 An assembly solver sets placements and then takes back the touch, so what hangs on the moved part would
-not follow. And what refers to a part must refer to it anew when either is put into another container.
+not follow. What refers to a part must refer to it anew when either is put into another container. And what
+depends on an object in error is not executed, so it would look as if it were up to date.
 """
 
 import FreeCAD
@@ -33,6 +34,13 @@ class Observer:
         elif name == "Group":
             _rebase_references(obj.Document)
 
+    def slotRecomputedDocument(self, document):
+        for failed in _failed():
+            for obj in (failed, *dependents(failed)):
+                leave_behind = getattr(getattr(obj, "Proxy", None), "leave_behind", None)
+                if leave_behind:
+                    leave_behind(obj, failed)
+
 
 def install():
     """Start observing; once for all documents."""
@@ -57,6 +65,16 @@ def dependents(obj):
                 new.append(dependent)
     found.pop((obj.Document.Name, obj.Name), None)
     return list(found.values())
+
+
+def _failed():
+    """What is in error, in all open documents, and has not said so to what depends on it."""
+    for document in FreeCAD.listDocuments().values():
+        for obj in document.Objects:
+            if not obj.isValid():
+                has_said = getattr(getattr(obj, "Proxy", None), "has_said", None)
+                if has_said is None or not has_said(obj):
+                    yield obj
 
 
 def _reading(document):

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the proxies of all our objects share: properties, state in files, and what an error does."""
 
+import traceback
+
+import FreeCAD
 import Part
 from FreeCAD import Placement
 
@@ -8,6 +11,9 @@ from ..errors import CableError, DocumentError
 from . import observer, view_hook
 from .property_table import VERSION, complete, reset
 from .sentences import in_language
+
+SAID_BEFORE = "Error"
+"""What FreeCAD says of an object that is still in error, but that the last recompute did not come to."""
 
 
 class IncompleteError(DocumentError):
@@ -58,13 +64,37 @@ class Proxy:
             sentence = f"{obj.Label}: {type(error).__name__}: {error}"
             self.clear(obj, sentence)
             self.clear_dependents(obj, sentence)
-            raise
+            # A fault of ours: whoever mends it wants to know where it is.
+            FreeCAD.Console.PrintError(traceback.format_exc())
+            raise DocumentError(sentence) from error
 
     def clear_dependents(self, obj, sentence):
         """FreeCAD does not execute what depends on a failed object, so its old shape would stay and look new."""
         for dependent in observer.dependents(obj):
             if proxy := proxy_of(dependent, Proxy):
                 proxy.clear(dependent, sentence)
+
+    def has_said(self, obj):
+        """Whether an error of ``obj`` is one of ``execute``, which cleared it; that of an expression comes before."""
+        return not obj.isValid() and obj.getStatusString() in (SAID_BEFORE, in_language(obj.Status))
+
+    def leave_behind(self, obj, failed):
+        """FreeCAD did not execute ``obj``, because ``failed`` is in error: it, or what it depends on."""
+        if not in_use(obj) or self.has_said(obj):
+            return
+        reason = " ".join(failed.getStatusString().split())  # it may be several lines
+        if reason == SAID_BEFORE and failed.Label in obj.Status:
+            return
+        if hasattr(obj, "Shape") and obj.Shape.isNull():
+            obj.Status = f"No shape yet: {failed.Label} cannot be computed ({reason})."
+        else:
+            obj.Status = (
+                f"Out of date: {failed.Label} cannot be computed ({reason}). "
+                "Shape and numbers are from before; mend it."
+            )
+        if hasattr(obj, "OutOfDate"):
+            obj.OutOfDate = True
+        obj.touch()
 
     def clear(self, obj, sentence):
         """No shape, no numbers, and the reason why."""

@@ -1604,8 +1604,16 @@
       <translation>Noch keine Form</translation>
     </message>
     <message>
+      <source>No shape yet: {1} cannot be computed ({2})</source>
+      <translation>Noch keine Form: {1} kann nicht berechnet werden ({2})</translation>
+    </message>
+    <message>
       <source>Out of date</source>
       <translation>Veraltet</translation>
+    </message>
+    <message>
+      <source>Out of date: {1} cannot be computed ({2}). Shape and numbers are from before; mend it</source>
+      <translation>Veraltet: {1} kann nicht berechnet werden ({2}). Form und Zahlen sind von vorher; es in Ordnung bringen</translation>
     </message>
     <message>
       <source>Out of date; Run Study brings it up to date</source>

@@ -1604,8 +1604,16 @@
       <translation>尚无形状</translation>
     </message>
     <message>
+      <source>No shape yet: {1} cannot be computed ({2})</source>
+      <translation>尚无形状：无法计算 {1}（{2}）</translation>
+    </message>
+    <message>
       <source>Out of date</source>
       <translation>已过期</translation>
+    </message>
+    <message>
+      <source>Out of date: {1} cannot be computed ({2}). Shape and numbers are from before; mend it</source>
+      <translation>已过期：无法计算 {1}（{2}）。形状和数值是之前的；请将其修复</translation>
     </message>
     <message>
       <source>Out of date; Run Study brings it up to date</source>
