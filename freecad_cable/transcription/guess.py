@@ -147,7 +147,8 @@ def _spin(scene, scaling, arc_length, quaternion, clamped, roll):
     bend = (turns[:, 0] + 1j * turns[:, 1]) / steps
     tries = np.linspace(-np.pi, np.pi, ROLLS, endpoint=False)
     first = np.zeros(1) if clamped[0] else tries
-    last = np.array([roll]) if clamped[1] else tries
+    # A start that may roll may be turned by more or less than the end is from it.
+    last = roll + 2 * np.pi * np.arange(-1, 2) if clamped[1] else tries
     first, change = (each.ravel() for each in np.meshgrid(first, last, indexing="ij"))
     if clamped[1]:
         change = change - first
