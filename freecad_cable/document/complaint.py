@@ -11,6 +11,7 @@ IN_SCENE = {
     "start": "Start",
     "end": "End",
     "gravity": "Gravity",
+    "clearance": "Clearance",
     "options": "Tolerance",
     "cable": "CableType",
     "supports": "Supports",

@@ -19,6 +19,9 @@ DIRECTION_TOLERANCE = 1e-6
 POINT_SIZE = 5.0
 """[mm] Half the size of the mark of a terminal whose reference has no size of its own."""
 
+SMALLEST = 1e-7
+"""[mm] Below this OCCT takes two points for one."""
+
 
 @dataclass(frozen=True)
 class Frame:
@@ -86,6 +89,8 @@ def _turned(placement, reverse):
 
 
 def _frame(origin, x, z, size, *, is_round=False):
+    if not size > SMALLEST:
+        raise DocumentError("leads to an edge or a face of no size; choose another.")
     return Frame(Placement(origin, Rotation(x, z.cross(x), z, "ZXY")), size, is_round)
 
 

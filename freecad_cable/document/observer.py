@@ -34,6 +34,12 @@ class Observer:
         elif name == "Group":
             _rebase_references(obj.Document)
 
+    def slotUndoDocument(self, document):
+        _rebase_references(document)
+
+    def slotRedoDocument(self, document):
+        _rebase_references(document)
+
     def slotRecomputedDocument(self, document):
         for failed in _failed():
             for obj in (failed, *dependents(failed)):

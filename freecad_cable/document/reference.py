@@ -96,7 +96,8 @@ def rebase(obj, name):
     try:
         based = [based_beside(obj, pair) for pair in given]
     except DocumentError:
-        return  # said when the object is computed
+        obj.touch()  # it is said when the object is computed
+        return
     if based != given:
         setattr(obj, name, based)
 

@@ -18,6 +18,8 @@ from .guess import perpendicular
 
 LEAST = 1e-11
 """Slack, relative to the length, below which weight no longer decides the tension of a chain: the layers do."""
+CLOSEST = 1e-5
+"""Distance of the places, relative to the length, up to which both parts of the chain hang as one."""
 STEPS = 20
 """Towards the direction of a rod without weight, which its layers turn by about their width."""
 WIDEST = 0.1
@@ -39,7 +41,7 @@ class Layered:
         chord = self.places[1] - self.places[0]
         self.distance = float(np.linalg.norm(chord))
         self.valid, self.widths = False, (None, None)
-        if not 0 < self.distance < length:
+        if not CLOSEST * length < self.distance < length:
             return
         self.heavy = weight.any() and self._missing(LEAST) > 0
         if self.heavy:

@@ -34,6 +34,8 @@ def number(field, value, *, above=None, at_least=None, unit=""):
 
 def shown(value) -> str:
     """A value as a message shows it: in one line, and not all of a long one."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
     return reprlib.repr(value).replace("\n", " ")
 
 

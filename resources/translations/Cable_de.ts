@@ -2248,6 +2248,10 @@
       <translation>führt aus dem Behälter heraus; {1} neu wählen</translation>
     </message>
     <message>
+      <source>leads to an edge or a face of no size; choose another</source>
+      <translation>führt zu einer Kante oder Fläche ohne Größe; eine andere wählen</translation>
+    </message>
+    <message>
       <source>leaves {1} of cable between {2} and {3}, but {4}; the shortest possible is {5}</source>
       <translation>lässt {1} Kabel zwischen {2} und {3}, aber {4}; das kürzeste mögliche ist {5}</translation>
     </message>

@@ -2248,6 +2248,10 @@
       <translation>指向其容器之外；请重新选择 {1}</translation>
     </message>
     <message>
+      <source>leads to an edge or a face of no size; choose another</source>
+      <translation>指向没有大小的边或面；请另选</translation>
+    </message>
+    <message>
       <source>leaves {1} of cable between {2} and {3}, but {4}; the shortest possible is {5}</source>
       <translation>在{2}与{3}之间留下 {1} 线缆，但{4}；最短可能为 {5}</translation>
     </message>

@@ -151,6 +151,12 @@ class FrameTest(DocumentTest):
         for name in names:
             self.assertMoved(self.frame(part, name), MOVE * before[name])
 
+    def test_a_circle_of_no_size_is_refused(self):
+        dot = self.doc.addObject("Part::Feature", "Dot")
+        dot.Shape = Part.Circle(Vector(1, 2, 3), Vector(0, 0, 1), 1e-8).toShape()
+        with self.assertRaisesRegex(DocumentError, "no size; choose another"):
+            frame_of(find((dot, "Edge1")))
+
     def test_what_has_no_direction_is_refused(self):
         box, ball = self.solid(Part.makeBox(1, 1, 1)), self.solid(Part.makeSphere(2))
         for obj, name in ((box, "Edge1"), (ball, "Face1"), (ball, "Edge1")):

@@ -233,9 +233,20 @@ class ErrorTest(ObstacleTest):
         self.cable.touch()
         self.check("Block", "not inside Unit")
 
+    def test_a_part_taken_out_of_the_container_of_the_cable(self):
+        unit = self.doc.addObject("App::Part", "Unit")
+        unit.addObjects([self.block, self.left, self.right])
+        unit.addObject(self.cable)
+        self.cable.Obstacles = self.block
+        self.compute()
+        unit.removeObject(self.block)
+        self.check("Block is not inside Unit")
+
     def test_a_clearance_that_is_none(self):
         self.cable.Clearance = -1
         self.assertFailed(self.cable, "Clearance", "-1 mm", "at least 0 mm")
+        self.cable.Clearance = 1e300
+        self.assertFailed(self.cable, "Clearance", "finite number")
 
     def test_an_unsolved_cable_as_obstacle(self):
         other = self.crossing()

@@ -183,6 +183,25 @@ class BrokenReferenceTest(PinTest):
             self.assertNear(terminal.Frame.multVec(Vector(1, 0, 0)), (10, 21, 30))
         self.assertEqual(terminal.Roll.UserString, "-270.00 °")
 
+    def test_a_part_taken_out_of_the_container(self):
+        self.doc.UndoMode = 1
+        unit = self.doc.addObject("App::Part", "Unit")
+        unit.Placement = MOVE
+        unit.addObject(self.part)
+        terminal = make.terminal(self.doc, (self.part, TOP), inside=unit)
+        self.compute()
+        self.doc.openTransaction("Take it out")
+        unit.removeObject(self.part)
+        self.doc.commitTransaction()
+        self.assertNoMark(terminal, "Pin is not inside Unit")
+        self.doc.undo()
+        self.compute()
+        self.doc.redo()
+        self.assertNoMark(terminal, "Pin is not inside Unit")
+        unit.addObject(self.part)
+        self.compute()
+        self.assertNear(terminal.Frame.Base, (10, 20, 30))
+
     def test_roll_that_is_no_number(self):
         terminal = make.terminal(self.doc, (self.part, TOP))
         terminal.Roll = float("nan")

@@ -54,3 +54,7 @@ def test_the_pull_of_a_heavy_rod_is_that_of_its_chain():
     weight of a chord; the layers change that by about their width."""
     rod = layered(1.5, 1e8)
     assert np.linalg.norm(rod.pull) * 1.5 / 1e8 == pytest.approx(0.810869731384, rel=1e-3)
+
+
+def test_between_places_that_are_next_to_each_other_there_is_no_limit():
+    assert not layered(1e7, 1e20).valid
