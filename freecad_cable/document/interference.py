@@ -88,6 +88,9 @@ def report(doc, solids=None, limit="10 mm") -> list[Row]:
             except DocumentError as error:
                 rows.append(_unknown(run.label, "", error))
     if solids is not None:
+        for obj in solids:
+            if not hasattr(obj, "getSubObjects"):
+                raise DocumentError(f"Of the solids one is {obj!r}; it must be an object.")
         found = [each for obj in solids for each in pieces(*from_the_top(obj))]
     for course in courses:
         for solid in found:
@@ -126,7 +129,7 @@ def _limit(value):
         limit = Units.Quantity(value) if isinstance(value, str) else Units.Quantity(value, LENGTH)
     except (ArithmeticError, TypeError, ValueError):
         limit = None
-    if limit is None or limit.Unit != LENGTH:
+    if limit is None or limit.Unit != LENGTH or not math.isfinite(limit.Value):
         raise DocumentError(f"The limit is {value!r}; it must be a length, as '10 mm'.")
     return to_si("length", limit)
 

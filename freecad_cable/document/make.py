@@ -75,6 +75,8 @@ def cable_type(doc, name, *, card=None, **properties):
     shear_stiffness, natural_curvature, min_bend_radius, min_bend_radius_moving, moving, bend_radius_convention,
     provenance (text, or lines as "MassPerLength: measured, on our scale").
     """
+    if not isinstance(name, str):
+        raise DocumentError(f"The name is {name!r}; it must be text.")
     known = entry(name) or {}
     material = read_card(card) if card else {}
     told = properties.pop("provenance", None) or material.pop("Provenance", ())
@@ -114,12 +116,15 @@ def cable(
     for name, end_terminal in (("start", start), ("end", end)):
         if proxy_of(end_terminal, Terminal) is None:
             raise DocumentError(f"The {name} is {_said(end_terminal)}; it must be a terminal.")
+    if start is end:
+        raise DocumentError(f"Both ends are {_said(end)}; a cable needs two terminals.")
     if cable_type is not None and proxy_of(cable_type, CableType) is None:
         raise DocumentError(
             f"The cable type is {_said(cable_type)}; make one with make.cable_type."
         )
-    supports, obstacles = list(supports), pairs(obstacles)
+    supports, obstacles = _listed(supports), pairs(obstacles)
     _check_supports(supports)
+    _check_document(doc, start, end, cable_type, *supports)
     inside = container(start)
     with _made(doc, "Part::FeaturePython", "Cable", Cable, inside) as obj:
         obj.LengthMode = "Fixed" if length is not None else "Slack"
@@ -202,6 +207,21 @@ def _tell_sources(kind, lines):
     kind.Provenance = [*lines, *kept]
 
 
+def _listed(supports):
+    """One is as good as a list of one, and None as an empty one."""
+    if supports is None:
+        return []
+    return list(supports) if isinstance(supports, (list, tuple)) else [supports]
+
+
+def _check_document(doc, *objects):
+    for obj in filter(None, objects):
+        if obj.Document is not doc:
+            raise DocumentError(
+                f"{obj.Label} is in the document {obj.Document.Label}; it must be in {doc.Label}."
+            )
+
+
 def _check_supports(supports):
     for support in supports:
         if proxy_of(support, Support) is None:
@@ -221,6 +241,12 @@ def _attached(doc, kind, reference, inside, properties):
 @contextmanager
 def _made(doc, kind, name, proxy, inside=None):
     """A new object with its proxy in its container; gone again if something is wrong with it."""
+    if inside is not None:
+        if not hasattr(inside, "addObject"):
+            raise DocumentError(
+                f"What it is to be inside is {_said(inside)}; it must be a part, an assembly or a group."
+            )
+        _check_document(doc, inside)
     obj = doc.addObject(kind, name)
     try:
         proxy(obj)

@@ -151,6 +151,10 @@ class InterferenceTest(DocumentTest):
             sheet.get("H3")
 
     def test_a_limit_that_is_none(self):
-        for limit in ("10 kg", "far", None):
+        for limit in ("10 kg", "far", None, math.nan, math.inf):
             with self.assertRaisesRegex(DocumentError, "must be a length"):
                 self.rows(limit=limit)
+
+    def test_a_solid_that_is_none(self):
+        with self.assertRaisesRegex(DocumentError, "one is 5; it must be an object"):
+            self.rows(solids=[5])

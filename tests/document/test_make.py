@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a macro calls: defaults, and one sentence for wrong arguments."""
 
+import FreeCAD
 from FreeCAD import Placement, Rotation, Vector
 from scenes import TOP, DocumentTest, SupportedTest
 
@@ -57,6 +58,20 @@ class MakeTest(DocumentTest):
             function(self.doc, *arguments, **keywords)
         self.assertEqual([obj.Name for obj in self.doc.Objects], before)
 
+    def test_one_support_is_a_list_of_one(self):
+        clip = make.clip(self.doc, (self.left, TOP), position="50 mm")
+        self.assertEqual(self.cable(supports=clip).Supports, [clip])
+        self.assertEqual(self.cable(supports=None).Supports, [])
+
+    def test_what_is_in_another_document(self):
+        other = FreeCAD.newDocument("Other")
+        try:
+            with self.assertRaisesRegex(DocumentError, "Terminal is in .*; it must be in Other"):
+                make.cable(other, start=self.ends[0], end=self.ends[1])
+            self.assertEqual(other.Objects, [])
+        finally:
+            FreeCAD.closeDocument(other.Name)
+
     def test_wrong_arguments_are_one_sentence_and_leave_nothing(self):
         start, end = self.ends
         ends, left = {"start": start, "end": end}, (self.left, TOP)
@@ -93,6 +108,20 @@ class MakeTest(DocumentTest):
                 make.cable,
                 [],
                 {"start": start, "end": self.left},
+            ),
+            (
+                "Both ends are Terminal; a cable needs",
+                make.cable,
+                [],
+                {"start": start, "end": start},
+            ),
+            ("What it is to be inside is 5", make.terminal, [left], {"inside": 5}),
+            ("The name is 7; it must be text", make.cable_type, [7], {}),
+            (
+                "A support is Left; it must be a clamp",
+                make.cable,
+                [],
+                ends | {"supports": self.left},
             ),
             ("The cable type is 'thick'", make.cable, [], ends | {"cable_type": "thick"}),
             (
