@@ -10,7 +10,8 @@ import numpy as np
 
 from ..errors import ProblemError, SolverMissingError
 from ..geometry import rotation
-from ..problem import Free, Mesh, Scene
+from ..problem import Mesh, Scene
+from ..problem.reach import stations
 from ..problem.reduce import reduce, tautness
 from ..result import Solution, is_near
 from ..status import Status
@@ -170,8 +171,8 @@ def _advice(scene):
 
 
 def _advice_among(scene):
-    for held in (scene.start, scene.end, *scene.supports):
-        for obstacle in () if isinstance(held, Free) else scene.obstacles:
+    for held in stations(scene):
+        for obstacle in scene.obstacles:
             depth = -float(obstacle.nearest(held.position[None]).distance[0])
             if depth > scene.rod.radius:
                 return (

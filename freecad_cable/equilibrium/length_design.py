@@ -104,24 +104,24 @@ def _spline_length(scene) -> float:
 
 def _walk(sample, way, first, factor) -> list:
     """Samples from the first on, until what was feasible is no more or the end is reached."""
-    samples, last, any_solved = [first], first.solution, first.solved
+    samples, last = [first], first.solution
     while True:
         # Among obstacles it may take much more length than past them until there is an equilibrium at all.
-        step = factor if any_solved or factor < 1 else factor**2
-        length = way + (samples[-1].length - way) * step
+        begun = factor < 1 or any(each.solved for each in samples)
+        length = way + (samples[-1].length - way) * (factor if begun else factor**2)
         if not 1 + TAUTEST <= length / way <= LONGEST:
             return samples[1:]
         samples.append(sample(length, last))
         before, here = samples[-2:]
         if here.solved:
-            last, any_solved = here.solution, True
+            last = here.solution
         # Shorter cables only pull harder; one that does not even solve has no better neighbour there.
         if factor < 1 and here.margin < before.margin and not here.feasible:
             return samples[1:]
         # Longer ones do not, and one that does not solve may be an accident.
         if before.feasible and here.solved and not here.feasible:
             return samples[1:]
-        if not (before.solved or here.solved) and (any_solved or factor < 1):
+        if begun and not (before.solved or here.solved):
             return samples[1:-1]
 
 

@@ -18,6 +18,9 @@ from ..geometry.bore import Bore
 from ..geometry.nearest import FLAT, LINE, POINT, ROUNDING, Nearest, measured, perpendicular
 from .checked import direction, number, vector
 
+EVERYWHERE = np.array([np.full(3, -np.inf), np.full(3, np.inf)])
+"""Corners (2, 3) of a box without bounds."""
+
 
 @dataclass(frozen=True, eq=False)
 class Obstacle:
@@ -72,7 +75,7 @@ class HalfSpace(Obstacle):
 
     @property
     def bounds(self):
-        bounds = np.array([np.full(3, -np.inf), np.full(3, np.inf)])
+        bounds = EVERYWHERE.copy()
         axis = np.argmax(np.abs(self.normal))
         if np.abs(self.normal[axis]) == 1:
             bounds[int(self.normal[axis] > 0), axis] = self.point[axis]

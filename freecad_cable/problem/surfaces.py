@@ -12,7 +12,7 @@ from ..geometry.nearest import LINE, POINT, Nearest, measured, perpendicular
 from ..geometry.rotation import cross
 from ..geometry.surface import Surface
 from .checked import index_table, number, table
-from .obstacles import Obstacle
+from .obstacles import EVERYWHERE, Obstacle
 
 THINNEST = 1e-9
 """Height of a triangle relative to its longest side below which it has no normal and is dropped."""
@@ -61,7 +61,7 @@ class Mesh(Obstacle):
     @cached_property
     def bounds(self):
         if not self.closed:
-            return np.array([np.full(3, -np.inf), np.full(3, np.inf)])  # inside at any depth
+            return EVERYWHERE  # inside at any depth
         used = self.vertices[np.unique(self.triangles)]
         return np.array([used.min(axis=0), used.max(axis=0)])
 

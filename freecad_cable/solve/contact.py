@@ -116,8 +116,7 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
 
 def _resumed(problem, warm):
     known, fixed = warm.error is not None, problem.scene.options.elements
-    if fixed is not None:
-        warm = warm.on(mesh.uniform(fixed, [warm.arc_length[joint.node] for joint in warm.joints]))
+    warm = warm.on(mesh.asked(warm, fixed))
     problem.apart = known and problem.own.links(warm, problem.own.radius) is not None
     around_it = problem.surroundings
     if not known and around_it.between(warm).min(initial=np.inf) > around_it.radius:

@@ -13,6 +13,7 @@ from ..problem.reduce import tautness
 from ..transcription.guess import guess
 from . import mesh
 from .problem import Problem
+from .stepping import stepped
 from .trial import Trial
 
 LIGHT = 100.0
@@ -53,18 +54,15 @@ def continued(problem: Problem, elements: int) -> Iterator[Trial]:
     arc_length = mesh.uniform(elements, problem.breaks)
     trial = problem.solve(guess(scene, scaling, arc_length), **at(0))
     longest = 1 / np.ceil(np.log(max(1 / load, loose / slack)) / np.log(FACTOR))
-    progress, step = 0.0, longest
-    while trial is not None and progress < 1:
-        ahead = min(1.0, progress + step)
+
+    def advance(trial, progress, ahead, step):
         start = trial.shape.on(mesh.refined(trial.shape, elements))
         before, after = (scaling.loaded(at(p)["load"]).force for p in (progress, ahead))
         start = start.in_units(before / after)
         following = problem.solve(start, **at(ahead), fallback=step <= longest * SHORTEST)
-        if following is None or following.error > DRIFT:
-            step /= 2
-            if step < longest * SHORTEST:
-                return
-            continue
-        trial, progress, step = following, ahead, min(longest, 1.5 * step)
+        return None if following is None or following.error > DRIFT else following
+
+    if trial is not None:
+        trial = stepped(trial, advance, longest, longest * SHORTEST)
     if trial is not None:
         yield trial

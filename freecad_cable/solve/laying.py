@@ -12,6 +12,7 @@ import numpy as np
 
 from .contact import resumed
 from .problem import Problem
+from .stepping import stepped
 from .trial import Trial
 
 LIGHT = (50.0, 20.0, 100.0)
@@ -37,20 +38,17 @@ def laden(problem: Problem, find: Callable[[Problem, None], Trial | None]) -> Tr
 
 
 def _heavier(problem, now, found, load):
-    factor = FACTOR
-    while load < 1:
-        ahead = min(1.0, load * factor)
-        then = problem if ahead == 1 else _under(problem, ahead)
+    def advance(state, _, ahead, __):
+        now, found = state
+        then = problem if ahead == 1 else _under(problem, load ** (1 - ahead))
         start = found.shape.in_units(now.scaling.force / then.scaling.force)
         # What was known of the error says nothing of that under more weight.
         following = resumed(then, replace(start, error=np.inf))
-        if following is None:
-            factor = factor**0.5
-            if factor < LEAST:
-                return None
-            continue
-        found, now, load, factor = following, then, ahead, min(FACTOR, factor**1.5)
-    return found
+        return None if following is None else (then, following)
+
+    longest, shortest = np.log([FACTOR, LEAST]) / -np.log(load)
+    state = stepped((now, found), advance, longest, shortest)
+    return None if state is None else state[1]
 
 
 def _under(problem, load):

@@ -11,6 +11,7 @@ from ..problem import Clamp, Ring
 from ..transcription.shape import Joint, Shape
 from . import mesh
 from .problem import Problem
+from .stepping import stepped
 from .trial import Trial
 
 STEP = 1 / 3
@@ -26,23 +27,19 @@ def led(problem: Problem, free: Trial) -> Iterator[Trial]:
     nodes = [joint.node for joint in start.joints]
     before = start.position[nodes] * problem.scaling.length + problem.scaling.origin
     frames = start.quaternion[nodes]
-    progress, step, trial = 0.0, STEP, None
-    while progress < 1:
-        ahead = min(1.0, progress + step)
+
+    def advance(trial, _, ahead, step):
+        shape = start if trial is free else trial.shape.on(mesh.refined(trial.shape, elements))
         supports = [
             _moved(support, *pose, ahead)
             for support, *pose in zip(problem.scene.supports, before, frames, strict=True)
         ]
         here = replace(problem, scene=replace(problem.scene, supports=supports))
-        found = here.solve(start, fallback=step < 2 * SHORTEST)
-        if found is None or found.slipped:
-            step /= 2
-            if step < SHORTEST:
-                return
-            continue
-        trial, progress, step = found, ahead, min(STEP, 1.5 * step)
-        start = trial.shape.on(mesh.refined(trial.shape, elements))
-    yield trial
+        found = here.solve(shape, fallback=step < 2 * SHORTEST)
+        return None if found is None or found.slipped else found
+
+    if (trial := stepped(free, advance, STEP, SHORTEST)) is not None:
+        yield trial
 
 
 def _with_joints(shape: Shape, arc_length, places) -> Shape:

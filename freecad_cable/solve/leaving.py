@@ -8,12 +8,12 @@ from ..geometry.nearest import HOLE
 from ..geometry.runs import runs
 
 
-def leave(rows, near, points, gap, around_it):
+def leave(rows, near, points, around_it):
     """Faces for the ``points`` (n, 3) of a cable inside an obstacle, across the direction in which each run of them
-    leaves, put in place of their ``rows`` (n, 12). ``gap`` (n,) is infinite where they may be inside."""
+    leaves, put in place of their ``rows`` (n, 12). Those that are not ``near`` may be inside."""
     distance, normal = np.full(len(points), np.inf), np.zeros((len(points), 3))
     distance[near.where], normal[near.where] = near.what.distance, near.what.normal
-    inside = (distance < 0) & np.isfinite(gap)
+    inside = distance < 0
     inside[near.where[near.what.feature == HOLE]] = False
     for a, b in runs(inside):
         run = slice(a, b)

@@ -107,7 +107,9 @@ class Look:
     @cached_property
     def least(self) -> np.ndarray:
         """(n,) smallest gap over each element, its nodes included."""
-        return least_of(self.gaps.min(axis=0, initial=np.inf), self.begin)
+        smallest = self.gaps.min(axis=0, initial=np.inf)
+        least = np.minimum.reduceat(smallest[:-1], self.begin[:-1])
+        return np.minimum(least, smallest[self.begin[1:]])
 
 
 def sampled(shape, arc_length, counts) -> tuple[Shape, np.ndarray]:
@@ -119,8 +121,3 @@ def sampled(shape, arc_length, counts) -> tuple[Shape, np.ndarray]:
         np.repeat(each, counts) for each in (arc_length[:-1], np.diff(arc_length) / counts)
     )
     return shape.on(np.append(start + part * apart, arc_length[-1])), begin
-
-
-def least_of(values, begin) -> np.ndarray:
-    """(n,) smallest of the values (samples,) over each element, both of its nodes included."""
-    return np.minimum(np.minimum.reduceat(values[:-1], begin[:-1]), values[begin[1:]])

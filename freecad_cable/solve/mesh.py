@@ -43,6 +43,11 @@ def refined(shape, elements) -> np.ndarray:
     return _by_stretches(*_densities(shape), elements, _breaks(shape))
 
 
+def asked(shape, elements) -> np.ndarray:
+    """(n+1,) arc lengths for a shape: of so many ``elements``, or, if None are asked for, its own."""
+    return shape.arc_length if elements is None else uniform(elements, _breaks(shape))
+
+
 def _breaks(shape):
     """Arc lengths of the supports."""
     return [shape.arc_length[joint.node] for joint in shape.joints]

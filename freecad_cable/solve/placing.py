@@ -60,14 +60,8 @@ def places(around_it, look, reach, leaving=False, pushed=None) -> Places | None:
         what = near.of(where[row, there])
         sites.features[row, there] = contact.parameters(what, around_it.keep)
         if leaving or inside[row].any():
-            left = np.where(gap[row] < reach, gap[row], np.inf)
-            leave(
-                sites.features[row],
-                Near(near.obstacle, there, what),
-                sites.position[row],
-                left,
-                around_it,
-            )
+            given = Near(near.obstacle, there, what)
+            leave(sites.features[row], given, sites.position[row], around_it)
         if leaving:
             continue
         if (pointed := _pointed(around_it, look, near, allowed[row])) is not None:

@@ -31,6 +31,7 @@ them long, strains that alternate from node to node cost an element of order 4 n
 FOLDED = 2 * np.pi
 """Turn of an element from which a start is none: shapes of one mesh may be that on another. From nodes that miss each
 other by thousands of lengths fatrop does not come back (see ``yielding``)."""
+
 LEADEN = 3e5
 """Weight ratio above which fatrop was seen to correct its matrix without end, unless it starts near the answer."""
 

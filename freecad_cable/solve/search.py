@@ -122,9 +122,7 @@ def _free(problem, warm):
     elements = problem.scene.options.elements
     found = None
     if warm is not None:
-        places = [warm.arc_length[joint.node] for joint in warm.joints]
-        nodes = mesh.uniform(elements, places) if elements else warm.arc_length
-        found = problem.solve(warm.on(nodes))
+        found = problem.solve(warm.on(mesh.asked(warm, elements)))
         if found is not None:
             # What buckles on its way goes where it falls to, with the turns that it has.
             found = off_saddle(problem, found)

@@ -192,19 +192,16 @@ class Surroundings:
         bound = np.where(look.bound < 0, np.minimum(look.least, self.keep), look.bound)
         at = shape.arc_length
         for count, finest in INSIDE:
-            doubtful = (bound < smallest) & (np.diff(at) > finest * self.radius)
+            apart = np.diff(at)
+            doubtful = (bound < smallest) & (apart > finest * self.radius)
             if not doubtful.any():
                 break
-            fine, _ = sampled(shape, at, np.where(doubtful, count, 1))
-            half = np.diff(fine.arc_length) / 2
-            smallest, least = self._smallest(
-                fine, smallest, np.diff(at)[doubtful].max() / count / 2
-            )
-            between = np.repeat(doubtful, np.where(doubtful, count, 1))
-            at, bound = (
-                fine.arc_length,
-                np.where(between, np.minimum(least[:-1], least[1:]) - half, np.inf),
-            )
+            counts = np.where(doubtful, count, 1)
+            fine, _ = sampled(shape, at, counts)
+            smallest, least = self._smallest(fine, smallest, apart[doubtful].max() / count / 2)
+            at = fine.arc_length
+            bound = np.minimum(least[:-1], least[1:]) - np.diff(at) / 2
+            bound[~np.repeat(doubtful, counts)] = np.inf
         return smallest + self.keep - self.radius
 
     def _smallest(self, fine, smallest, half):

@@ -5,10 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicHermiteSpline
 
+from benchmarks.among import curve
 from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Box, Pinned, Rod, Scene, Sphere
 from tests.verification.test_contact_solids import ROUND, of_cylinder
@@ -16,11 +15,6 @@ from tests.verification.test_contact_solids import ROUND, of_cylinder
 ELEMENTS = 32
 EDGE = Box([0.045, -0.22, -0.05], [1, 0, 0, 0], [0.1, 0.1, 0.1])
 FACETS = of_cylinder(48)
-
-
-def curve(solution):
-    tangents = rotation.tangent(solution.quaternion)
-    return CubicHermiteSpline(solution.arc_length, solution.position, tangents)
 
 
 @pytest.fixture(scope="module")

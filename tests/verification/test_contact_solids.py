@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicHermiteSpline
 
+from benchmarks.among import curve
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
 from freecad_cable.problem import Box, Clamped, Cylinder, HalfSpace, Mesh, Sleeve, Sphere, Tube
@@ -48,8 +48,7 @@ def solve(table_1, solved):
 def fine(solution):
     """Points between the nodes, on the cubic that positions and tangents define."""
     s = solution.arc_length
-    curve = CubicHermiteSpline(s, solution.position, rotation.tangent(solution.quaternion))
-    return curve(np.interp(np.linspace(0, len(s) - 1, 16 * len(s)), np.arange(len(s)), s))
+    return curve(solution)(np.interp(np.linspace(0, len(s) - 1, 16 * len(s)), np.arange(len(s)), s))
 
 
 def of_cylinder(sides):
@@ -146,8 +145,7 @@ def test_the_clearance_is_that_of_the_nearest_of_many(table_1, solved, seed):
     if "free" not in solved:
         solved["free"] = find_equilibrium(table_1(0.73)).raise_for_status()
     free, random, boxes = solved["free"], np.random.default_rng(seed), []
-    curve = CubicHermiteSpline(free.arc_length, free.position, rotation.tangent(free.quaternion))
-    places = curve(np.linspace(0, 0.73, 20001))
+    places = curve(free)(np.linspace(0, 0.73, 20001))
     while len(boxes) < 6:
         centre = places[random.integers(len(places))] + 0.08 * random.normal(size=3)
         turn, size = random.normal(size=4), random.uniform(0.005, 0.12, 3)
@@ -201,10 +199,7 @@ def test_rigid_motion(solve):
     solution = find_equilibrium(moved).raise_for_status()
     # The start is swayed along an eigenvector, which rounding turns: each is within the tolerance of the answer, and
     # its nodes are gathered elsewhere.
-    curve = CubicHermiteSpline(
-        solution.arc_length, solution.position, rotation.tangent(solution.quaternion)
-    )
-    assert np.abs(curve(here.arc_length) - there(here.position)).max() < 2e-4 * 0.73
+    assert np.abs(curve(solution)(here.arc_length) - there(here.position)).max() < 2e-4 * 0.73
     assert solution.energy.total == pytest.approx(here.energy.total, rel=1e-5)
 
 

@@ -3,10 +3,9 @@
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicHermiteSpline
 
+from benchmarks.among import curve
 from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Mesh, Ring, Rod, Scene, Swivel
 
@@ -17,11 +16,8 @@ LEFT_OUT = 0.01 + 1 / 128
 
 def gap(solution):
     """Of the cable's surface to the plates, in its radii, at places a fortieth of a radius apart."""
-    curve = CubicHermiteSpline(
-        solution.arc_length, solution.position, rotation.tangent(solution.quaternion)
-    )
     length = solution.arc_length[-1]
-    places = curve(np.arange(0, length, RADIUS / 40))
+    places = curve(solution)(np.arange(0, length, RADIUS / 40))
     nearest = min(plate.nearest(places).distance.min() for plate in solution.scene.obstacles)
     return nearest / RADIUS - 1
 
@@ -65,8 +61,7 @@ def test_it_keeps_clear_of_the_plates(through, length, heights, hole):
 def test_it_is_the_same_on_a_finer_mesh(through):
     found = find_equilibrium(through(0.64, (0.02, -0.02, 0.01)))
     finer = find_equilibrium(through(0.64, (0.02, -0.02, 0.01), tolerance=1e-5))
-    curve = CubicHermiteSpline(finer.arc_length, finer.position, rotation.tangent(finer.quaternion))
-    apart = np.linalg.norm(curve(found.arc_length) - found.position, axis=1).max()
+    apart = np.linalg.norm(curve(finer)(found.arc_length) - found.position, axis=1).max()
     assert apart < found.position_error + finer.position_error
 
 

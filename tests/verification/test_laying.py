@@ -3,11 +3,10 @@
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq
 
+from benchmarks.among import curve
 from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Box, Clamped, Rod, Scene
 
@@ -53,10 +52,7 @@ def assert_rests(solution):
     """Outside of all by samples of its own, and pushed as it pushes."""
     scene = solution.scene
     rod = scene.rod
-    along = CubicHermiteSpline(
-        solution.arc_length, solution.position, rotation.tangent(solution.quaternion)
-    )
-    cable = along(np.linspace(0, rod.length, 4001))
+    cable = curve(solution)(np.linspace(0, rod.length, 4001))
     cable = cable[np.linalg.norm(cable - scene.start.position, axis=1) > 3 * rod.radius]
     for each in scene.obstacles:
         assert each.nearest(cable).distance.min() > 0.99 * rod.radius

@@ -3,10 +3,9 @@
 
 import numpy as np
 import pytest
-from scipy.interpolate import CubicHermiteSpline
 
+from benchmarks.among import curve
 from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.geometry import rotation
 from freecad_cable.problem import Box, Clamped, Ring, Rod, Scene, Swivel
 
 HOLE, THICKNESS = 0.01, 0.002
@@ -49,8 +48,7 @@ def test_the_cable_does_not_cut_the_rims(depth):
     held = find_equilibrium(scene).raise_for_status()
     assert held.contacts
     # One percent of the radius is left to enter; nodes and what is between them.
-    curve = CubicHermiteSpline(held.arc_length, held.position, rotation.tangent(held.quaternion))
-    places = curve(np.linspace(0, scene.rod.length, 4001))
+    places = curve(held)(np.linspace(0, scene.rod.length, 4001))
     gap = min(bar.nearest(places).distance.min() for bar in scene.obstacles) - 0.0035
     assert gap > -0.01 * 0.0035
     assert held.min_clearance == pytest.approx(gap, abs=0.01 * 0.0035)
