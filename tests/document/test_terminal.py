@@ -2,7 +2,7 @@
 """Terminals: where they stand, that they stay with their part, and what they say when they cannot."""
 
 import FreeCAD
-from FreeCAD import Placement, Rotation, Vector
+from FreeCAD import Placement, Rotation, Units, Vector
 from scenes import BOTTOM, SIDE, TOP, DocumentTest
 
 from freecad_cable.document import make
@@ -181,7 +181,7 @@ class BrokenReferenceTest(PinTest):
             terminal = make.terminal(self.doc, (self.part, TOP), roll=roll)
             self.compute()
             self.assertNear(terminal.Frame.multVec(Vector(1, 0, 0)), (10, 21, 30))
-        self.assertEqual(terminal.Roll.UserString, "-270.00 °")
+        self.assertEqual(terminal.Roll, Units.Quantity("-270 deg"))
 
     def test_a_part_taken_out_of_the_container(self):
         self.doc.UndoMode = 1
