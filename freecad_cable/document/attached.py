@@ -4,6 +4,8 @@
 from FreeCAD import Placement
 
 from ..errors import DocumentError
+from ..problem.checked import LARGEST
+from . import markers
 from .property_table import Prop, wrong
 from .proxy import Proxy
 from .reference import based_beside, find, pairs, rebase
@@ -59,15 +61,31 @@ class Attached(Proxy):
 
     def run(self, obj):
         self.set_editor_modes(obj)
-        turn = self.turn(obj) * obj.Offset
+        turn = self.turn(obj) * _offset(obj)
         try:
             frame = self.frame(obj, _found(obj))
         except DocumentError as error:
             raise wrong(obj, "Reference", str(error)) from None
         obj.Frame = frame.placement * turn
-        obj.Shape = self.marker(obj, frame.size)
+        obj.Shape = self.marker(obj, max(frame.size, markers.SMALLEST))
         obj.Placement = obj.Frame
         obj.Status = ""
+
+
+def _offset(obj):
+    base, turn = obj.Offset.Base, obj.Offset.Rotation.Q
+    if not (any(turn) and all(abs(number) <= LARGEST for number in (*base, *turn))):
+        raise wrong(
+            obj,
+            "Offset",
+            f"moves by ({_listed(base)}) mm and turns by the quaternion ({_listed(turn)}); give finite numbers, and "
+            "the rotation an axis and an angle.",
+        )
+    return obj.Offset
+
+
+def _listed(numbers):
+    return ", ".join(f"{number:g}" for number in numbers)
 
 
 def _found(obj):

@@ -3,7 +3,7 @@
 
 from ..errors import ProblemError
 from ..problem import Rod, round_section
-from ..shape.units import to_si
+from ..shape.units import sentence_from_si, to_si
 from .doubts import gaps, wrong_units
 from .property_table import Checked, Prop, wrong
 from .proxy import Proxy, in_use
@@ -17,8 +17,11 @@ NOT_GIVEN = ("OuterDiameter", "MassPerLength", "BendingStiffness", "TorsionalSti
 """What every cable has, so that there is a number from the start."""
 
 IN_SCENE = {
+    "cable_type.diameter": "OuterDiameter",
+    "cable_type.youngs_modulus": "YoungsModulus",
+    "cable_type.shear_modulus": "ShearModulus",
+    "cable_type.density": "Density",
     "cable.radius": "OuterDiameter",
-    "cable.min_bend_radius": "MinBendRadius",
     "cable.mass_per_length": "MassPerLength",
     "cable.bending_stiffness[0]": "BendingStiffness",
     "cable.bending_stiffness[1]": "SecondBendingStiffness",
@@ -185,7 +188,10 @@ class CableType(Proxy):
         for name in ("MinBendRadius", "MinBendRadiusMoving"):
             checked.number(name, at_least=0)
         if obj.Source == "Material":
-            _compute(obj, checked, to_si("length", diameter))
+            try:
+                _compute(obj, checked, to_si("length", diameter))
+            except ProblemError as error:
+                raise _in_properties(obj, error) from None
         rod = self.rod(obj, 1.0)
         obj.Status = " ".join([_in_words(rod, diameter), *wrong_units(rod), *gaps(obj)])
 
@@ -214,6 +220,8 @@ class CableType(Proxy):
                 min_bend_radius=limit or None,
             )
         except ProblemError as error:
+            if error.field == "cable.length":
+                raise  # whoever asked gave it
             raise _in_properties(obj, error) from None
 
 
@@ -241,9 +249,9 @@ def _compute(obj, checked, diameter):
 
 
 def _in_properties(obj, error):
-    name = IN_SCENE.get(error.field, IN_SCENE.get(error.field.partition("[")[0]))
-    # The length is that of a cable, which says so itself.
-    return error if name is None else wrong(obj, name, f"{error.message}.")
+    known = IN_SCENE | {"cable.min_bend_radius": _limit(obj)}
+    name = known.get(error.field) or known[error.field.partition("[")[0]]
+    return wrong(obj, name, f"{sentence_from_si(error.message)}.")
 
 
 def _in_words(rod, diameter):

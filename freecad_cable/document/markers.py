@@ -4,6 +4,9 @@
 import Part
 from FreeCAD import Vector
 
+SMALLEST = 1e-3
+"""Half-width that can be drawn: points closer than 1e-7 are one for OCCT."""
+
 
 def terminal(size):
     """A square of half-width ``size``, an arrow out of it along z, and a tick along x."""

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Properties as rows of a table: the same table makes a new object and completes an old one."""
 
-import math
 from dataclasses import dataclass
 
 import FreeCAD
 from FreeCAD import Units
 
 from ..errors import DocumentError
+from ..problem.checked import LARGEST
 from .sentences import in_language
 
 # Attributes of ``addProperty``.
@@ -101,8 +101,12 @@ class Checked:
         if isinstance(value, Units.Quantity):
             value = float(value.getValueAs(unit))
         shown = f" {unit}" if unit else ""
-        if not math.isfinite(value):
-            raise wrong(self.obj, name, f"is {value}{shown}; it must be a finite number.")
+        if not abs(value) <= LARGEST:
+            raise wrong(
+                self.obj,
+                name,
+                f"is {value:g}{shown}; it must be a finite number, at most {LARGEST:g}{shown} in size.",
+            )
         if above is not None and not value > above:
             raise wrong(
                 self.obj, name, f"is {value:g}{shown}; it must be greater than {above:g}{shown}."

@@ -93,9 +93,9 @@ class Route(Child):
             return
         try:
             route = METHODS[obj.Method](scene)
-        except ProblemError as error:
+            obj.Shape = _wire(route)
+        except (ProblemError, Part.OCCError) as error:
             raise wrong(obj, "Method", f"{obj.Method} cannot be drawn: {error}.") from None
-        obj.Shape = _wire(route)
         obj.Length = from_si("length", route.length)
         obj.SmallestBendRadius = from_si("length", route.smallest_bend_radius)
         obj.SmallestBendRadiusAt = from_si("length", route.smallest_bend_radius_at)

@@ -182,7 +182,7 @@ class Ring(Support):
         return frame
 
     def marker(self, obj, size):
-        return markers.ring(self.opening(obj)[0])
+        return markers.ring(max(self.opening(obj)[0], markers.SMALLEST))
 
     def opening(self, obj):
         """Radius of the hole and of what is left of it [mm]."""

@@ -20,7 +20,8 @@ def number(field, value, *, above=None, at_least=None, unit=""):
         raise ProblemError(field, f"is {shown(value)}; it must be a number{unit and f' in{unit}'}")
     if not abs(value) <= LARGEST:
         raise ProblemError(
-            field, f"is {shown(value)}; it must be a finite number, at most {LARGEST:g} in size"
+            field,
+            f"is {shown(value)}{unit}; it must be a finite number, at most {LARGEST:g}{unit} in size",
         )
     value = float(value)
     if above is not None and above < value < 1 / LARGEST:
@@ -56,7 +57,7 @@ def direction(field, value, size=3):
     norm = np.linalg.norm(array / max(np.abs(array).max(), 1e-300)) * np.abs(array).max()
     if not norm > 1e-9:
         raise ProblemError(
-            field, f"is {shown(value)}; its length is zero, so it gives no direction"
+            field, f"is {shown(array.tolist())}; its length is zero, so it gives no direction"
         )
     array = array / norm
     array.flags.writeable = False

@@ -2096,10 +2096,6 @@
       <translation>ist {1} und damit nicht auf dem Kabel; dessen Länge ist {2}</translation>
     </message>
     <message>
-      <source>is {1}; it must be a finite number</source>
-      <translation>ist {1}; es muss eine endliche Zahl sein</translation>
-    </message>
-    <message>
       <source>is {1}; it must be a finite number, at most {2} in size</source>
       <translation>ist {1}; es muss eine endliche Zahl vom Betrag höchstens {2} sein</translation>
     </message>
@@ -2266,6 +2262,10 @@
     <message>
       <source>longest</source>
       <translation>größte</translation>
+    </message>
+    <message>
+      <source>moves by ({1}) mm and turns by the quaternion ({2}); give finite numbers, and the rotation an axis and an angle</source>
+      <translation>verschiebt um ({1}) mm und dreht um das Quaternion ({2}); endliche Zahlen angeben und der Drehung eine Achse und einen Winkel geben</translation>
     </message>
     <message>
       <source>no length will do: {1}</source>

@@ -2096,10 +2096,6 @@
       <translation>为 {1}，不在线缆上；线缆长度为 {2}</translation>
     </message>
     <message>
-      <source>is {1}; it must be a finite number</source>
-      <translation>为 {1}；必须是有限数值</translation>
-    </message>
-    <message>
       <source>is {1}; it must be a finite number, at most {2} in size</source>
       <translation>为 {1}；必须是绝对值不超过 {2} 的有限数值</translation>
     </message>
@@ -2266,6 +2262,10 @@
     <message>
       <source>longest</source>
       <translation>最长</translation>
+    </message>
+    <message>
+      <source>moves by ({1}) mm and turns by the quaternion ({2}); give finite numbers, and the rotation an axis and an angle</source>
+      <translation>移动 ({1}) mm 并按四元数 ({2}) 旋转；请给出有限的数值，并为旋转给出轴和角度</translation>
     </message>
     <message>
       <source>no length will do: {1}</source>

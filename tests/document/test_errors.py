@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from unittest import mock
 
 import Part
-from FreeCAD import Vector
+from FreeCAD import Placement, Rotation, Vector
 from scenes import TOP, DocumentTest
 
 from freecad_cable.document import make, solving
@@ -89,12 +89,41 @@ class ErrorTest(DocumentTest):
             words = ("finite",) if value != value else ("between 1e-10 and 0.1",)
             self.check_property(self.cable, "Tolerance", value, *words)
 
+    def test_numbers_far_outside_anything_built(self):
+        for obj, name in (
+            (self.cable, "Clearance"),
+            (self.cable, "Length"),
+            (self.type, "OuterDiameter"),
+            (self.type, "MinBendRadius"),
+        ):
+            self.check_property(obj, name, 1e300, "is 1e+300 mm", "at most 1e+30 mm")
+        self.check_property(self.cable, "Length", 1e-300, "is 1e-300 mm", "at least 1e-27 mm")
+        self.check_property(self.type, "OuterDiameter", 1e-300, "is 5e-301 mm", "at least 1e-27 mm")
+        self.type.Source = "Material"
+        self.check_property(self.type, "OuterDiameter", 1e-300, "is 1e-300 mm", "1e-27 mm")
+
+    def test_far_too_long(self):
+        make.route(self.doc, self.cable, method="Catenary")
+        for length in (1e9, 1e20):
+            self.cable.Length = length
+            self.check(self.cable, "The solver found no equilibrium", "a wrong unit")
+
     def test_links(self):
         self.check_property(self.cable, "Start", None, "is empty", "choose a terminal")
         self.check_property(self.cable, "End", self.left, "is Left", "no cable terminal")
         self.check_property(self.cable, "End", self.start, "is Terminal and so is Start")
         self.check_property(self.cable, "CableType", None, "is empty", "choose a cable type")
         self.check_property(self.cable, "CableType", self.left, "is Left", "no cable type")
+
+    def test_an_offset_that_is_none(self):
+        for offset in (
+            Placement(Vector(1e300, 0, 0), Rotation()),
+            Placement(Vector(0, NAN, 0), Rotation()),
+            Placement(Vector(), Rotation(0, 0, 0, 0)),
+        ):
+            self.check_property(
+                self.start, "Offset", offset, "finite numbers", "an axis and an angle"
+            )
 
     def test_a_terminal_without_its_part(self):
         self.doc.removeObject(self.right.Name)

@@ -50,7 +50,9 @@ class TestTrouble(StudyTest):
         study = self.study(self.right, "Placement.Base.x", **given)
         self.refused(study, "^Study002, FindNeededLength: at 100: .*No length")
         huge = self.study(varied="Length", start=1e300, stop=1e301)
-        self.refused(huge, "Cable, Length: is 1e.297; it must be")
+        self.refused(huge, "^Study003, From: is 1e.300; it must be")
+        huge = self.study(varied="Length", values=[1e300, 1e301])
+        self.refused(huge, "Cable, Length: is 1e.300 mm; it must be")
 
     def test_cases_that_are_none(self):
         ring = make.ring(self.doc, self.plate("Plate", (60, 20, 60), (1, 0, 0)), position="150 mm")

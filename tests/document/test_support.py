@@ -105,6 +105,8 @@ class SupportTest(DocumentTest):
         ):
             ring.Radius = value
             self.assertFailed(ring, "Radius", words)
+        ring.Radius = 1e-9
+        self.compute()  # the cable will say that it does not pass
         ring.Radius = "6 mm"
         for value, words in ((-1, "at least 0"), ("6 mm", "less than the radius of 6 mm")):
             ring.Clearance = value
