@@ -61,14 +61,16 @@ class GermanTest(WindowTest):
 
     def test_the_report_view(self):
         FreeCADGui.Selection.addSelection(self.document.Left, "Face2")
-        error = DocumentError("Terminal, Roll: is nan deg; it must be a finite number.")
+        bound = "it must be a finite number, at most 1e+30 deg in size"
+        error = DocumentError(f"Terminal, Roll: is nan deg; {bound}.")
         said = []
         with (
             mock.patch.object(make, "terminal", side_effect=error),
             mock.patch.object(FreeCAD.Console, "PrintError", said.append),
         ):
             FreeCADGui.runCommand("Cable_Terminal")
-        self.assertIn("ist nan deg; es muss eine endliche Zahl sein.\n", said[-1])
+        bound = "es muss eine endliche Zahl vom Betrag höchstens 1e+30 deg sein"
+        self.assertIn(f"ist nan deg; {bound}.\n", said[-1])
         self.cable.SchemaVersion = 99
         with mock.patch.object(FreeCAD.Console, "PrintWarning", said.append):
             self.cable.Proxy.onDocumentRestored(self.cable)
