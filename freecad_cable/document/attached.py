@@ -8,7 +8,7 @@ from ..problem.checked import LARGEST
 from . import markers
 from .property_table import Prop, wrong
 from .proxy import Proxy
-from .reference import based_beside, find, pairs, rebase
+from .reference import find, pairs, rebase, refuse_stray
 
 REFERENCE = Prop(
     "Reference",
@@ -99,9 +99,7 @@ def _found(obj):
         raise DocumentError(
             f"has {len(given)} entries; it takes one, or a vertex and a local coordinate system."
         )
-    for pair in given:
-        if based_beside(obj, pair) != pair:
-            raise DocumentError(f"leads out of its container; choose {pair[0].Label} anew.")
+    refuse_stray(obj, given)
     # FreeCAD does not keep the order of a list of links: the vertex comes first.
     return sorted(map(find, given), key=lambda found: not _is_vertex(found))
 

@@ -19,7 +19,7 @@ from .complaint import OBSTACLE, in_properties
 from .observer import dependents
 from .property_table import wrong
 from .read_held import read_held
-from .reference import based_beside, is_plain_group, pairs, shape_at
+from .reference import is_plain_group, pairs, refuse_stray, shape_at
 from .similarity import similarity
 from .stored_solution import nodes
 
@@ -72,29 +72,24 @@ def read_boxes(cable) -> list:
 
 
 def _all(cable):
-    followers = [cable, *dependents(cable)]
-    return [each for pair in pairs(cable.Obstacles) for each in _read(cable, pair, followers)]
-
-
-def _read(cable, pair, followers):
-    root = pair[0]
-    if any(obj is root for obj in followers):
-        raise wrong(
-            cable,
-            "Obstacles",
-            f"has {root.Label}, which follows from the cable itself, so neither can be first; "
-            "of two cables, only one can have the other as an obstacle.",
-        )
+    given, followers = pairs(cable.Obstacles), [cable, *dependents(cable)]
     try:
-        if based_beside(cable, pair) != pair:
-            raise DocumentError(f"leads out of its container; choose {root.Label} anew.")
-        found = [tube(each) if isinstance(each, Run) else each for each in pieces(*pair)]
+        refuse_stray(cable, given)
+        return [each for pair in given for each in _read(pair, followers)]
     except DocumentError as error:
         raise wrong(cable, "Obstacles", str(error)) from None
-    if not found:
-        raise wrong(
-            cable, "Obstacles", f"has {root.Label}, which has no solid; choose parts with solids."
+
+
+def _read(pair, followers):
+    root = pair[0]
+    if any(obj is root for obj in followers):
+        raise DocumentError(
+            f"has {root.Label}, which follows from the cable itself, so neither can be first; "
+            "of two cables, only one can have the other as an obstacle."
         )
+    found = [tube(each) if isinstance(each, Run) else each for each in pieces(*pair)]
+    if not found:
+        raise DocumentError(f"has {root.Label}, which has no solid; choose parts with solids.")
     return found
 
 

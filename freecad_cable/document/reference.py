@@ -124,6 +124,18 @@ def based_beside(referrer, pair):
     return way[0][1], ".".join([*(name for name, _ in way[1:]), element])
 
 
+def refuse_stray(referrer, given):
+    """Errors: ``DocumentError`` if the root of one of these pairs is not, or no longer, beside ``referrer``."""
+    own = container(referrer)
+    for pair in given:
+        root, path = pair
+        # Of two hundred obstacles nearly all are what they seem, and this is quicker.
+        if not path and container(root) is own:
+            continue
+        if based_beside(referrer, pair) != pair:
+            raise DocumentError(f"leads out of its container; choose {root.Label} anew.")
+
+
 def from_the_top(obj):
     """The pair that leads to ``obj`` from the top of its document."""
     root, *down = *_containers(obj), obj

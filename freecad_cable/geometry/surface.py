@@ -5,13 +5,11 @@ from functools import cached_property
 
 import numpy as np
 
-from .box_tree import BoxTree
-from .creases import COPLANAR, Creases, Edges
-from .nearest import FLAT, ROUNDING, Nearest, measured
+from .box_tree import ALONE, BoxTree
+from .creases import Edges
+from .faces import Faces
+from .nearest import Nearest
 from .rotation import cross
-
-FACE, EDGE, VERTEX = 0, 1, 4
-"""Places on a triangle: its inside; EDGE + i, from vertex i to the next; VERTEX + i."""
 
 
 class Surface:
@@ -23,8 +21,9 @@ class Surface:
     def __init__(self, vertices, triangles):
         self.vertices, self._triangles = vertices, triangles
         self._corners = vertices[triangles]
-        self._sides = np.roll(self._corners, -1, axis=1) - self._corners
-        normal = cross(self._sides[:, 0], self._sides[:, 1])
+        normal = cross(
+            self._corners[:, 1] - self._corners[:, 0], self._corners[:, 2] - self._corners[:, 1]
+        )
         self._normal = normal / np.linalg.norm(normal, axis=1, keepdims=True)
 
     @cached_property
@@ -50,77 +49,42 @@ class Surface:
         pseudo-normal: Bærentzen, Aanæs, "Signed distance computation using the angle weighted pseudonormal", IEEE
         TVCG 11, 2005. An open surface has a front and a back, but beyond its rim a point is outside on either side.
         """
-        face = self._tree.nearest(points, lambda some, faces: self._closest(some, faces)[0])
-        squared, center, place = self._closest(points, face)
-        kind, axis, pseudo, rim = self._features(face, place)
-        normal = self._normal[face]
-        pseudo = np.where(pseudo.any(axis=1)[:, None], pseudo, normal)
+        (found,) = nearest_of_each([self], [points])
+        return found
 
-        away, length = points - center, np.sqrt(squared)
-        scale = np.maximum(np.abs(points).max(axis=1), np.abs(center).max(axis=1))
-        touching = length <= ROUNDING * scale
-        # A point straight over a face belongs to it even if rounding, or a crack between faces, says edge or vertex.
-        height = np.abs(np.einsum("mi,mi->m", away, normal))
-        over = (place == FACE) | (height >= (1 - COPLANAR**2 / 2) * length) & ~touching
-        behind = (np.einsum("mi,mi->m", away, pseudo) < 0) & ~rim & ~touching
-        kind = np.where(over | behind, FLAT, kind)
-        direction = np.where((kind == FLAT)[:, None], normal, axis)
-        deep = behind & ~over
-        direction[deep] = -away[deep] / length[deep, None]
-        return measured(points, kind, center, direction, 0.0, pseudo)
-
-    def _features(self, face, place):
-        """Kind, axis, pseudo-normal and whether it is a rim, of places on faces."""
-        creases = self._creases
-        kind, axis = np.full(len(face), FLAT), np.zeros((len(face), 3))
-        pseudo, rim = self._normal[face], np.zeros(len(face), bool)
-        on_edge, on_vertex = (place >= EDGE) & (place < VERTEX), place >= VERTEX
-        edge = creases.edges.of[face[on_edge], place[on_edge] - EDGE]
-        kind[on_edge], axis[on_edge] = creases.edge_kind[edge], creases.edge_axis[edge]
-        pseudo[on_edge], rim[on_edge] = creases.edge_normal[edge], creases.edge_rim[edge]
-        vertex = self._triangles[face[on_vertex], place[on_vertex] - VERTEX]
-        kind[on_vertex], axis[on_vertex] = creases.vertex_kind[vertex], creases.vertex_axis[vertex]
-        pseudo[on_vertex], rim[on_vertex] = (
-            creases.vertex_normal[vertex],
-            creases.vertex_rim[vertex],
-        )
-        return kind, axis, pseudo, rim
-
-    def _closest(self, points, faces):
-        """Squared distance (p,), nearest point (p, 3) and place (p,) on one face for each point."""
-        sides, normal = self._sides[faces], self._normal[faces]
-        away = points[:, None, :] - self._corners[faces]
-        within = np.einsum("pij,pij->pi", away, self._inward[faces]) > 0
-        within = within[:, 0] & within[:, 1] & within[:, 2]
-        height = np.einsum("pi,pi->p", away[:, 0], normal)
-
-        part = np.einsum("pij,pij->pi", away, sides) * self._per_square[faces]
-        part = np.minimum(np.maximum(part, 0.0), 1.0)
-        rest = away - part[:, :, None] * sides
-        squared = np.einsum("pij,pij->pi", rest, rest)
-        side = squared.argmin(axis=1)
-        row = np.arange(len(points))
-        part = part[row, side]
-        place = np.where(
-            part == 0, VERTEX + side, np.where(part == 1, VERTEX + (side + 1) % 3, EDGE + side)
-        )
-
-        rest = np.where(within[:, None], height[:, None] * normal, rest[row, side])
-        squared = np.where(within, height**2, squared[row, side])
-        return squared, points - rest, np.where(within, FACE, place)
+    def _by_tree(self, points) -> Nearest:
+        face = self._tree.nearest(points, lambda some, faces: self.faces.closest(some, faces)[0])
+        return self.faces.nearest(points, face, *self.faces.closest(points, face))
 
     @cached_property
-    def _inward(self):
-        return cross(self._normal[:, None, :], self._sides)
-
-    @cached_property
-    def _per_square(self):
-        return 1 / np.einsum("tij,tij->ti", self._sides, self._sides)
-
-    @cached_property
-    def _creases(self):
-        return Creases(self.edges, self.vertices, self._triangles, self._normal)
+    def faces(self) -> Faces:
+        return Faces.over(self.vertices, self._triangles, self._normal, self.edges)
 
     @cached_property
     def _tree(self):
         return BoxTree(self._corners, self._normal)
+
+
+def nearest_of_each(surfaces, points) -> list[Nearest]:
+    """What is nearest on each of several surfaces to points (m, 3) of its own, as ``Surface.nearest``. Those of few
+    faces are asked at once: of one alone most of the time is that of the calls."""
+    few = [k for k, each in enumerate(surfaces) if len(each.faces) <= ALONE]
+    known = _of_few([surfaces[k].faces for k in few], [points[k] for k in few]) if few else []
+    found = dict(zip(few, known, strict=True))
+    return [found[k] if k in found else each._by_tree(points[k]) for k, each in enumerate(surfaces)]
+
+
+def _of_few(several, points):
+    """Of surfaces by their faces: by asking each face."""
+    faces, counts = Faces.joined(several), [len(each) for each in points]
+    most, given = max(map(len, several)), np.concatenate(points)
+    begin = np.cumsum([0, *map(len, several)])[:-1]
+    tried = [b + np.resize(np.arange(len(e)), most) for b, e in zip(begin, several, strict=True)]
+    tried = np.repeat(tried, counts, axis=0)
+    every = faces.closest(np.repeat(given, most, axis=0), tried.ravel())
+    best = every[0].reshape(tried.shape).argmin(axis=1)
+    row = np.arange(len(given))
+    closest = (each[row * most + best] for each in every)
+    found = faces.nearest(given, tried[row, best], *closest)
+    end = np.cumsum(counts)
+    return [found.taken(slice(e - n, e)) for n, e in zip(counts, end, strict=True)]

@@ -10,7 +10,7 @@ from ..errors import ProblemError
 from ..geometry.box_tree import BoxTree
 from ..geometry.nearest import LINE, POINT, Nearest, measured, perpendicular
 from ..geometry.rotation import cross
-from ..geometry.surface import Surface
+from ..geometry.surface import Surface, nearest_of_each
 from .checked import index_table, number, table
 from .obstacles import EVERYWHERE, Obstacle
 
@@ -135,6 +135,14 @@ class Tube(Obstacle):
         start, span = self._segments
         axes = span / np.linalg.norm(span, axis=1, keepdims=True)
         return BoxTree(np.stack([start, start + span], axis=1), axes)
+
+
+def nearest_each(obstacles, points) -> list[Nearest]:
+    """What is nearest of each of several obstacles to points (m, 3) [m] of its own; of meshes all at once."""
+    meshes = [k for k, each in enumerate(obstacles) if isinstance(each, Mesh)]
+    known = nearest_of_each([obstacles[k]._surface for k in meshes], [points[k] for k in meshes])
+    found = dict(zip(meshes, known, strict=True))
+    return [found[k] if k in found else each.nearest(points[k]) for k, each in enumerate(obstacles)]
 
 
 def _welded(vertices, triangles):

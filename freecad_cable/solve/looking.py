@@ -112,6 +112,20 @@ class Look:
         return np.minimum(least, smallest[self.begin[1:]])
 
 
+def unhindered(around_it, before, after):
+    """Whether no obstacle is in or between two shapes: each place goes straight from one ball of free space into
+    another."""
+    # As one piece: supports that slide are elsewhere on the one than on the other.
+    there = replace(before, joints=()).on(after.arc_length).position
+    moved = np.linalg.norm(after.position - there, axis=1)
+    moved = np.maximum(moved[:-1], moved[1:])
+    room = around_it.look(after, moved.max()).least
+    if room.min() <= 0 or (room > moved).all():
+        return room.min() > 0
+    same = np.array_equal(before.arc_length, after.arc_length)
+    return same and bool((room + around_it.look(before, moved.max()).least.clip(0) > moved).all())
+
+
 def sampled(shape, arc_length, counts) -> tuple[Shape, np.ndarray]:
     """A shape at ``arc_length`` (m+1,) and between, with so many samples (m,) for each but the last, and which of them
     these are (m+1,)."""

@@ -20,6 +20,7 @@ from . import contact, gathering, mesh
 from .continuation import continued, taut_chord
 from .laying import laden
 from .leading import led
+from .looking import unhindered
 from .problem import LEADEN, Problem, TimeUpError
 from .saddle import descended
 from .trial import Trial
@@ -51,9 +52,10 @@ DOUBTFUL_ROLL = 2.0
 
 def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
-    touching = warm is not None and (warm.error is not None or problem.surroundings.obstacles)
-    if touching and (found := contact.resumed(problem, warm)) is not None:
-        return found
+    if warm is not None and (warm.error is not None or problem.surroundings.obstacles):
+        found = _undisturbed(problem, warm) or contact.resumed(problem, warm)
+        if found is not None:
+            return found
     found = _through_itself(problem, warm)
     if problem.surroundings.obstacles and not _rests(problem, found):
         try:
@@ -62,6 +64,20 @@ def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
             if found is None:
                 raise
     return None if found is None else apart(problem, found)
+
+
+def _undisturbed(problem, warm):
+    """From an equilibrium that touches nothing to one that does not either, if nothing can have been in its way.
+    Cheaper than to keep away from all that is near."""
+    if warm.error is not None or problem.scene.enforce_bend_radius:
+        return None
+    found = _followed(problem, warm)
+    if found is None:
+        return None
+    found = refined(problem, found)
+    if not unhindered(problem.surroundings, warm, found.shape):
+        return None
+    return apart(problem, found)
 
 
 def _rests(problem, trial):
@@ -74,9 +90,7 @@ def apart(problem, trial):
     if not problem.parts:
         return trial
     found = contact.apart(problem, trial)
-    if found is trial or found.touches or problem.scene.options.elements is not None:
-        return found
-    return refined(problem, found)
+    return found if found is trial or found.touches else refined(problem, found)
 
 
 def _through_itself(problem, warm):
@@ -87,9 +101,7 @@ def _through_itself(problem, warm):
     if found is None or not problem.surroundings.obstacles:
         return found
     found = contact.around(problem, found)
-    if found is None or found.touches or problem.scene.options.elements is not None:
-        return found
-    return refined(problem, found)
+    return found if found is None or found.touches else refined(problem, found)
 
 
 def _formed(problem, trial):
@@ -119,14 +131,7 @@ def _kinked(problem, trial, limit):
 
 def _free(problem, warm):
     """As if there were no obstacles."""
-    elements = problem.scene.options.elements
-    found = None
-    if warm is not None:
-        found = problem.solve(warm.on(mesh.asked(warm, elements)))
-        if found is not None:
-            # What buckles on its way goes where it falls to, with the turns that it has.
-            found = off_saddle(problem, found)
-            found = found if found.stable else None
+    found = None if warm is None else _followed(problem, warm)
     if found is None:
         for trial in _attempts(problem, _first_mesh(problem)):
             trial = off_saddle(problem, trial)
@@ -134,9 +139,17 @@ def _free(problem, warm):
                 found = trial
             if found.stable and found.error < GARBAGE:
                 break
-    if found is None or elements is not None:
-        return found
-    return refined(problem, found)
+    return None if found is None else refined(problem, found)
+
+
+def _followed(problem, warm):
+    """From an equilibrium to the one that it has become; None if that is not stable."""
+    found = problem.solve(warm.on(mesh.asked(warm, problem.scene.options.elements)))
+    if found is None:
+        return None
+    # What buckles on its way goes where it falls to, with the turns that it has.
+    found = off_saddle(problem, found)
+    return found if found.stable else None
 
 
 def _first_mesh(problem, factor=1.0):
@@ -260,7 +273,10 @@ def finer(problem, trial):
 
 
 def refined(problem, trial):
-    """Re-mesh until the error estimate is within the tolerance, or the mesh as fine as it may be."""
+    """Re-mesh until the error estimate is within the tolerance, or the mesh as fine as it may be; the same on a mesh
+    that is given."""
+    if problem.scene.options.elements is not None:
+        return trial
     tolerance = problem.scene.options.tolerance
     order = SCHEMES[problem.scheme].ORDER
     for _ in range(8):

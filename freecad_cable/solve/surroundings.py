@@ -9,7 +9,9 @@ import numpy as np
 
 from ..geometry.bore import Bore
 from ..geometry.box_tree import to_boxes
+from ..geometry.nearest import Nearest
 from ..problem import Free, Ring, Scene
+from ..problem.surfaces import nearest_each
 from ..problem.surroundings import in_reach
 from ..transcription.arms import Places
 from ..transcription.scaling import Scaling
@@ -28,6 +30,8 @@ LEAVING = 10.0
 ROOM = 0.2
 """Play of a ring, in radii of the cable, from which the rim of its hole is an obstacle as any other; with less the
 cable is squeezed by a rim that it passes at an angle."""
+ASKED_FIRST = 2
+"""Obstacles that are asked for the clearance before the others: those whose boxes are nearest leave few of them."""
 INSIDE = (4, 0.0), (16, 0.0), (16, CLOSER)
 """How the clearance is looked for in an element, and then between samples where it may be: so many samples for one, if
 they are more than so many radii of the cable apart."""
@@ -95,31 +99,42 @@ class Surroundings:
         beside = np.flatnonzero(
             ((self.boxes[:, 0] <= high) & (self.boxes[:, 1] >= low)).all(axis=1)
         )
-        found = []
+        asked, where = [], []
         for i, at_least in zip(beside, self._at_least(points, beside).T, strict=True):
             near = at_least <= within
             if near.any():
                 near[list(always)] = True
-                found.append(self._near(i, points, np.flatnonzero(near)))
-        return found
+                asked.append(i)
+                where.append(np.flatnonzero(near))
+        return self._near(points, asked, where)
 
-    def _near(self, i, points, where):
-        return Near(i, where, self.nearest_of(i, points[where]))
+    def _near(self, points, numbers, where):
+        """Of obstacles by their numbers here, what is nearest to the points with numbers ``where``, each its own."""
+        what = self._nearest_of(numbers, [points[each] for each in where])
+        return [Near(*each) for each in zip(numbers, where, what, strict=True)]
 
-    def nearest_of(self, i, points):
+    def nearest_of(self, i, points) -> Nearest:
         """What of an obstacle, by its number here, is nearest to points (m, 3)."""
+        return self._nearest_of([i], [points])[0]
+
+    def _nearest_of(self, numbers, points):
+        """The same of several, each with points of its own."""
         length = self.scaling.length
-        places = self.scaling.origin + points * length
-        nearest = self.obstacles[i].nearest(places)
-        for _, obstacle, bore in self.holes:
-            if obstacle == i:
-                nearest = bore.nearest(places, nearest)
-        return replace(
-            nearest,
-            distance=nearest.distance / length,
-            center=self.scaling.point(nearest.center),
-            radius=nearest.radius / length,
-        )
+        places = [self.scaling.origin + each * length for each in points]
+        found = nearest_each([self.obstacles[i] for i in numbers], places)
+        for k, i in enumerate(numbers):
+            for _, obstacle, bore in self.holes:
+                if obstacle == i:
+                    found[k] = bore.nearest(places[k], found[k])
+        return [
+            replace(
+                each,
+                distance=each.distance / length,
+                center=self.scaling.point(each.center),
+                radius=each.radius / length,
+            )
+            for each in found
+        ]
 
     def _at_least(self, points, obstacles=slice(None)):
         """(m, obstacles) lower bounds of their distances from points (m, 3): those of the boxes around them."""
@@ -186,11 +201,12 @@ class Surroundings:
         if not self.obstacles:
             return np.inf
         look = self.look(shape)
-        smallest = float(look.least.min())
+        smallest, at = float(look.least.min()), shape.arc_length
+        within = self._at_least(shape.position).min(axis=0) - self.keep - shape.steps.max() / 2
+        numbers = np.flatnonzero(within < smallest)
         # What may touch has been looked at inside, but no farther than twice the distance to keep; of other elements
         # the inside may yet be nearer than any node.
         bound = np.where(look.bound < 0, np.minimum(look.least, self.keep), look.bound)
-        at = shape.arc_length
         for count, finest in INSIDE:
             apart = np.diff(at)
             doubtful = (bound < smallest) & (apart > finest * self.radius)
@@ -198,25 +214,26 @@ class Surroundings:
                 break
             counts = np.where(doubtful, count, 1)
             fine, _ = sampled(shape, at, counts)
-            smallest, least = self._smallest(fine, smallest, apart[doubtful].max() / count / 2)
+            doubtful, half = np.repeat(doubtful, counts), apart[doubtful].max() / count / 2
+            samples = np.flatnonzero(np.append(doubtful, False) | np.append(False, doubtful))
+            smallest, least, numbers = self._smallest(fine, samples, numbers, smallest, half)
             at = fine.arc_length
-            bound = np.minimum(least[:-1], least[1:]) - np.diff(at) / 2
-            bound[~np.repeat(doubtful, counts)] = np.inf
+            bound = np.where(doubtful, (least[:-1] + least[1:] - np.diff(at)) / 2, np.inf)
         return smallest + self.keep - self.radius
 
-    def _smallest(self, fine, smallest, half):
-        """The smallest gap at samples of a shape, if it is smaller than ``smallest``, and the gap at each (samples,);
-        infinite where it is larger than that by more than ``half``."""
-        at_least = self._at_least(fine.position) - self.keep
+    def _smallest(self, fine, samples, numbers, smallest, half):
+        """At these ``samples`` of a shape, by their numbers, and for obstacles by theirs: the smallest gap, if it is
+        smaller than ``smallest``; the gap at each sample of the shape, infinite where it is larger than that by more
+        than ``half``; and those obstacles that are nowhere farther than that."""
+        at_least = self._at_least(fine.position[samples], numbers) - self.keep
         nearest, least = at_least.min(axis=0), np.full(len(fine.position), np.inf)
-        for i in np.argsort(nearest):
-            if nearest[i] >= smallest + half:
-                break
-            near = np.flatnonzero(at_least[:, i] < smallest + half)
-            (gap,) = self.gaps(fine, [self._near(i, fine.position, near)])
-            least = np.minimum(least, gap)
-            smallest = min(smallest, float(gap.min()))
-        return smallest, least
+        for some in np.split(np.argsort(nearest), [ASKED_FIRST]):
+            some = some[nearest[some] < smallest + half]
+            near = [samples[at_least[:, k] < smallest + half] for k in some]
+            gaps = self.gaps(fine, self._near(fine.position, numbers[some], near))
+            least = np.minimum(least, gaps.min(axis=0, initial=np.inf))
+            smallest = min(smallest, float(least.min()))
+        return smallest, least, numbers[nearest < smallest + half]
 
     def deepest(self, shape: Shape) -> float:
         """How far the cable enters the distance to keep, without units; 0 if no more than it may."""

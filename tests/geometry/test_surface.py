@@ -6,7 +6,7 @@ import pytest
 from numpy.linalg import norm
 
 from freecad_cable.geometry.nearest import FLAT, LINE, POINT
-from freecad_cable.geometry.surface import Surface
+from freecad_cable.geometry.surface import Surface, nearest_of_each
 
 ROUNDING = 1e-12
 """Coordinates are of size 1 and distances come from a dozen operations on them."""
@@ -43,6 +43,18 @@ def test_the_feature_tells_distance_and_gradient(solid, random, from_feature):
     # On the way to the surface along the normal, the distance falls as fast as it can.
     half_way = points - found.distance[:, None] / 2 * found.normal
     assert surface.nearest(half_way).distance == pytest.approx(found.distance / 2, abs=ROUNDING)
+
+
+def test_several_at_once(meshes, random, the_long_way):
+    tetrahedron = np.eye(4)[:, :3], np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+    boxes = [meshes.box((k, 0, 0), (k + 0.5, 0.3, 0.2), n) for k, n in ((0, 1), (1, 1), (2, 4))]
+    several = [tetrahedron, boxes[0], boxes[2], boxes[1]]
+    points = [random.uniform(-1.1, 3.1, (count, 3)) for count in (40, 0, 30, 7)]
+    found = nearest_of_each([Surface(*each) for each in several], points)
+    for solid, own, there in zip(several, points, found, strict=True):
+        assert np.abs(there.distance) == pytest.approx(the_long_way(own, *solid), abs=ROUNDING)
+        alone = vars(Surface(*solid).nearest(own))
+        assert all(np.array_equal(row, vars(there)[name]) for name, row in alone.items())
 
 
 def test_faces_edges_and_corners_outside(meshes):
