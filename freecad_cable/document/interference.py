@@ -15,7 +15,6 @@ from FreeCAD import Units, Vector
 
 from ..errors import DocumentError, ProblemError
 from ..problem import Free, Tube
-from ..shape import obstacle
 from ..shape.centreline import centreline
 from ..shape.units import from_si, to_si, vector_from_si, vectors_to_si
 from .complaint import OBSTACLE
@@ -157,7 +156,7 @@ def _to_solid(course, solid, limit):
         return None
     place = OBSTACLE + solid.label
     try:
-        mesh = obstacle.mesh(solid.name, solid.shape, course.tube.radius, place)
+        mesh = solid.placed.mesh(course.tube.radius, place)
     except ProblemError as error:
         return _unknown(course.run.label, solid.label, error.message)
     return _row(course, mesh, course.held, course.clearance, limit)

@@ -49,9 +49,12 @@ class Piece:
     """A solid on the way to an obstacle; triangles are made only of those in reach."""
 
     label: str
-    name: str
     shape: Part.Shape
-    bounds: np.ndarray
+    placed: obstacle.Placed
+
+    @property
+    def bounds(self) -> np.ndarray:
+        return self.placed.bounds
 
 
 def read_obstacles(cable, held: Scene) -> tuple:
@@ -102,10 +105,11 @@ def pieces(root, way):
     source = obj.getLinkedObject(True)
     if hasattr(source, "NodePosition"):
         yield Run(obj.Label, source, root.getSubObject(way, retType=4))
-    elif source.isDerivedFrom("Part::Feature") and not getattr(obj, "ElementCount", 0):
+    elif source.isDerivedFrom("Part::Feature") and (
+        obj is source or not getattr(obj, "ElementCount", 0)
+    ):
         for i, solid in enumerate(shape_at(root, way).Solids):
-            name = f"{source.Document.Name}.{source.Name}.{i}"
-            yield Piece(obj.Label, name, solid, obstacle.bounds(name, solid))
+            yield Piece(obj.Label, solid, obstacle.placed(f"{source.FullName}.{i}", solid))
     else:
         for step in obj.getSubObjects():
             child = obj.getSubObject(step, retType=1)
@@ -153,6 +157,6 @@ def _stated(cable, found, radius):
     if isinstance(found, Tube):
         return found
     try:
-        return obstacle.mesh(found.name, found.shape, radius, OBSTACLE + found.label)
+        return found.placed.mesh(radius, OBSTACLE + found.label)
     except ProblemError as error:
         raise in_properties(cable, error) from None

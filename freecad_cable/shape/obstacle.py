@@ -8,7 +8,7 @@ that it makes ten times as many in ten times as long.
 import math
 from collections import OrderedDict
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import MeshPart
 import numpy as np
@@ -43,17 +43,29 @@ class _Solid:
 _kept: OrderedDict[str, _Solid] = OrderedDict()
 
 
-def bounds(name, shape) -> np.ndarray:
-    """Corners (2, 3) [m] of a box around the solid ``shape``, along the axes. ``name`` is always the same for the same
-    object, wherever it stands."""
-    return _bounds(_solid(name, shape), tuple(shape.Placement.toMatrix().A))
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """A solid where it stands."""
+
+    solid: _Solid
+    matrix: tuple
+    """of its placement, row by row"""
+
+    @cached_property
+    def bounds(self) -> np.ndarray:
+        """Corners (2, 3) [m] of a box around it, along the axes."""
+        corners = _moved(self.solid.corners, self.matrix)
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+    def mesh(self, radius, place) -> Mesh:
+        """It as an obstacle called ``place``, fine enough for a cable of ``radius`` [m]. Errors: ``ProblemError`` if
+        its surface does not close."""
+        return _mesh(self, _deflection(self.solid, radius), place)
 
 
-def mesh(name, shape, radius, place) -> Mesh:
-    """The solid ``shape`` as an obstacle called ``place``, fine enough for a cable of ``radius`` [m]. ``name`` as of
-    ``bounds``. Errors: ``ProblemError`` if its surface does not close."""
-    solid = _solid(name, shape)
-    return _mesh(solid, _deflection(solid, radius), tuple(shape.Placement.toMatrix().A), place)
+def placed(name, shape) -> Placed:
+    """The solid ``shape``. ``name`` is always the same for the same object, wherever it stands."""
+    return _placed(_solid(name, shape), tuple(shape.Placement.Matrix.A))
 
 
 def _solid(name, shape) -> _Solid:
@@ -80,15 +92,14 @@ def _deflection(solid, radius):
 
 
 @lru_cache(MOST)
-def _bounds(solid, matrix):
-    corners = _moved(solid.corners, matrix)
-    return np.array([corners.min(axis=0), corners.max(axis=0)])
+def _placed(solid, matrix) -> Placed:
+    return Placed(solid, matrix)
 
 
 @lru_cache(MOST)
-def _mesh(solid, deflection, matrix, place) -> Mesh:
-    points, triangles = _triangles(solid, deflection)
-    return Mesh(_moved(points, matrix), triangles, place=place)
+def _mesh(it, deflection, place) -> Mesh:
+    points, triangles = _triangles(it.solid, deflection)
+    return Mesh(_moved(points, it.matrix), triangles, place=place)
 
 
 @lru_cache(MOST)

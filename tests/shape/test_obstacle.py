@@ -18,7 +18,7 @@ RADIUS = 0.0035
 
 def distances(shape):
     """Of points all over the faces of a shape: how far the obstacle says they are from it [mm]."""
-    made = obstacle.mesh("distances", shape, RADIUS, "obstacle")
+    made = obstacle.placed("distances", shape).mesh(RADIUS, "obstacle")
     points = []
     for face in shape.Faces:
         low_u, high_u, low_v, high_v = face.ParameterRange
@@ -48,19 +48,19 @@ class ObstacleTest(unittest.TestCase):
             self.assertGreater(off, 0)
 
     def test_inside_is_negative(self):
-        ball = obstacle.mesh("Ball", Part.makeSphere(20), RADIUS, "obstacle")
+        ball = obstacle.placed("Ball", Part.makeSphere(20)).mesh(RADIUS, "obstacle")
         inside, outside = ball.nearest(np.array([[0.001, 0.002, 0.018], [0, 0, 0.03]])).distance
         self.assertLess(inside, 0)
         self.assertAlmostEqual(outside, 0.01, delta=1e-3 * obstacle.COARSEST * 3.5)
 
     def test_it_stands_where_the_shape_does(self):
         shape = Part.makeBox(30, 20, 10)
-        here = obstacle.mesh("Box", shape, RADIUS, "obstacle")
+        here = obstacle.placed("Box", shape).mesh(RADIUS, "obstacle")
         shape.Placement = MOVE
-        there = obstacle.mesh("Box", shape, RADIUS, "obstacle")
+        there = obstacle.placed("Box", shape).mesh(RADIUS, "obstacle")
         expected = [tuple(MOVE.multVec(Vector(*(1e3 * v)))) for v in here.vertices]
         self.assertLess(np.abs(1e3 * there.vertices - expected).max(), 1e-9)
-        low, high = obstacle.bounds("Box", shape)
+        low, high = obstacle.placed("Box", shape).bounds
         self.assertTrue((low <= there.vertices.min(axis=0) + 1e-12).all())
         self.assertTrue((high >= there.vertices.max(axis=0) - 1e-12).all())
 
@@ -68,24 +68,24 @@ class ObstacleTest(unittest.TestCase):
         box = Part.makeBox(30, 20, 10)
         real = obstacle.MeshPart.meshFromShape
         with mock.patch.object(obstacle.MeshPart, "meshFromShape", side_effect=real) as mesher:
-            first = obstacle.mesh("Once", box, RADIUS, "obstacle")
-            self.assertIs(obstacle.mesh("Once", Part.Shape(box), RADIUS, "obstacle"), first)
+            first = obstacle.placed("Once", box).mesh(RADIUS, "obstacle")
+            self.assertIs(obstacle.placed("Once", Part.Shape(box)).mesh(RADIUS, "obstacle"), first)
             self.assertEqual(mesher.call_count, 1)
             moved = Part.Shape(box)
             moved.Placement = MOVE
-            obstacle.mesh("Once", moved, 1.01 * RADIUS, "obstacle")
+            obstacle.placed("Once", moved).mesh(1.01 * RADIUS, "obstacle")
             self.assertEqual(mesher.call_count, 1)
-            obstacle.mesh("Once", Part.makeBox(30, 20, 11), RADIUS, "obstacle")
+            obstacle.placed("Once", Part.makeBox(30, 20, 11)).mesh(RADIUS, "obstacle")
             self.assertEqual(mesher.call_count, 2)
-            obstacle.mesh("Once", Part.makeBox(30, 20, 11), RADIUS / 4, "obstacle")
+            obstacle.placed("Once", Part.makeBox(30, 20, 11)).mesh(RADIUS / 4, "obstacle")
             self.assertEqual(mesher.call_count, 3)
 
     def test_the_triangles_of_the_window_are_neither_used_nor_lost(self):
         ball = Part.makeSphere(20)
-        plain = obstacle.mesh("Plain", Part.makeSphere(20), RADIUS, "obstacle")
+        plain = obstacle.placed("Plain", Part.makeSphere(20)).mesh(RADIUS, "obstacle")
         ball.tessellate(0.05)
         shown = ball.countElement("Face"), len(ball.Faces[0].tessellate(10)[0])
-        made = obstacle.mesh("Shown", ball, RADIUS, "obstacle")
+        made = obstacle.placed("Shown", ball).mesh(RADIUS, "obstacle")
         self.assertEqual(len(made.triangles), len(plain.triangles))
         self.assertEqual((ball.countElement("Face"), len(ball.Faces[0].tessellate(10)[0])), shown)
 
@@ -93,7 +93,7 @@ class ObstacleTest(unittest.TestCase):
         box = Part.makeBox(30, 20, 10)
         box.reverse()
         with self.assertRaises(ProblemError):
-            obstacle.mesh("Reversed", box, RADIUS, "obstacle")
+            obstacle.placed("Reversed", box).mesh(RADIUS, "obstacle")
 
 
 assert FreeCAD  # loaded before Part
