@@ -78,7 +78,7 @@ def _in_one_piece(scene, start, watch, apart):
         problem.surroundings = problem.surroundings.without_rims()
     from ..solve.effects import find
     from ..solve.problem import TimeUpError
-    from ..solve.search import finer
+    from ..solve.refining import finer
 
     try:
         trial = find(problem, None if start is None else _nodes(start, problem))

@@ -4,7 +4,7 @@
 import numpy as np
 
 from ..transcription.guess import guess
-from . import contact, mesh, search
+from . import contact, mesh, refining, search
 from .problem import Problem, TimeUpError
 from .trial import Trial
 
@@ -29,11 +29,11 @@ def find_all(problem: Problem) -> list[Trial]:
             if trial is None:
                 continue
             trial = search.off_saddle(problem, trial)
-            if not trial.stable or trial.error > search.GARBAGE:
+            if not trial.stable or trial.error > refining.GARBAGE:
                 continue
             if any(_same(trial, other) for other, _ in found):
                 continue
-            answer = search.refined(problem, trial)
+            answer = refining.refined(problem, trial)
             if problem.surroundings.obstacles:
                 answer = contact.around(problem, answer)
             answer = answer and search.apart(problem, answer)

@@ -14,21 +14,18 @@ from ..geometry.runs import runs
 from ..problem import Swivel
 from ..problem.reduce import orientation, reduce
 from ..transcription.guess import guess, hangs, hold, roll_mismatch, rolled
-from ..transcription.nlp import SCHEMES
 from ..transcription.shape import Shape
-from . import contact, gathering, mesh
+from . import contact, mesh
 from .continuation import continued, taut_chord
 from .laying import laden
 from .leading import led
+from .letting_out import SLACK, let_out
 from .looking import unhindered
 from .problem import LEADEN, Problem, TimeUpError
+from .refining import GARBAGE, refined
 from .saddle import descended
 from .trial import Trial
 
-GARBAGE = 0.02
-"""Error estimate, relative to the length, above which a coarse answer says nothing about the true one."""
-HOPELESS = 128
-"""Elements from which such an answer is not refined."""
 HEAVY = 3e3
 """Weight ratio above which a cold start is wasted time (measured: from here it needs over 100 iterations or
 fails) and continuation in weight is the first thing to try."""
@@ -59,11 +56,20 @@ def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
     found = _through_itself(problem, warm)
     if problem.surroundings.obstacles and not _rests(problem, found):
         try:
-            found = laden(problem, _through_itself) or found
+            found = _from_easier(problem) or found
         except TimeUpError:
             if found is None:
                 raise
     return None if found is None else apart(problem, found)
+
+
+def _from_easier(problem):
+    """From cables that are shorter or lighter; those that are short and free of all obstacles take the least time."""
+    return (
+        let_out(problem, _free)
+        or laden(problem, _through_itself)
+        or let_out(problem, _through_itself, SLACK[:1])
+    )
 
 
 def _undisturbed(problem, warm):
@@ -257,42 +263,3 @@ def _elsewhere(problem, arc_length):
 def off_saddle(problem, trial):
     """A minimum below a saddle, if one is found; what no mesh resolves is left as it is."""
     return descended(trial, problem.solve, 0.1, lambda t: t.stable or t.error > GARBAGE)
-
-
-def finer(problem, trial):
-    """On twice as many elements; the same if that is not to be had."""
-    if problem.scene.options.elements is not None:
-        return trial
-    try:
-        if trial.touches:
-            return gathering.finer(problem, trial)
-        nodes = mesh.refined(trial.shape, mesh.size(2 * len(trial.shape.steps)))
-        return problem.solve(trial.shape.on(nodes)) or trial
-    except TimeUpError:
-        return trial
-
-
-def refined(problem, trial):
-    """Re-mesh until the error estimate is within the tolerance, or the mesh as fine as it may be; the same on a mesh
-    that is given."""
-    if problem.scene.options.elements is not None:
-        return trial
-    tolerance = problem.scene.options.tolerance
-    order = SCHEMES[problem.scheme].ORDER
-    for _ in range(8):
-        if trial.error <= tolerance or trial.slipped:
-            return trial
-        elements = len(trial.shape.steps)
-        if trial.error > GARBAGE and elements >= HOPELESS:
-            return trial
-        # Aim at half the tolerance; at least 1.2 times the elements, at most 4 times.
-        factor = np.clip((2 * trial.error / tolerance) ** (1 / order), 1.2, 4.0)
-        wanted = mesh.size(elements * factor)
-        try:
-            finer = problem.solve(trial.shape.on(mesh.refined(trial.shape, wanted)))
-        except TimeUpError:
-            return trial  # less accurate than asked for, and its estimate says so
-        if finer is None or not finer.stable or (elements == wanted and finer.error >= trial.error):
-            return trial
-        trial = finer
-    return trial

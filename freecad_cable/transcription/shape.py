@@ -136,15 +136,21 @@ class Shape:
         k = np.clip(k, 0, len(self.steps) - 1)
         return k, (arc_length - self.arc_length[k]) / self.steps[k]
 
-    def in_units(self, factor) -> "Shape":
-        """The same with forces and moments in other units: ``factor`` times as many."""
-        if self.force is None:
-            return self
+    def in_units(self, force, length=1.0) -> "Shape":
+        """A solved shape in other units: of ``force`` and of ``length`` so many times as many."""
+        curved, moment = np.repeat([1 / length, 1.0], 3), force * length
         joints = tuple(
-            replace(joint, force=factor * joint.force, moment=factor * joint.moment)
-            for joint in self.joints
+            Joint(each.node, curved * each.strain, force * each.force, moment * each.moment)
+            for each in self.joints
         )
-        return replace(self, force=factor * self.force, moment=factor * self.moment, joints=joints)
+        return replace(
+            self,
+            position=length * self.position,
+            strain=curved * self.strain,
+            force=force * self.force,
+            moment=moment * self.moment,
+            joints=joints,
+        )
 
     def on(self, arc_length) -> "Shape":
         """The same rod with nodes at other arc lengths, those of the joints among them; forces and moments go
