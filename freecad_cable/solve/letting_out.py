@@ -38,7 +38,8 @@ def let_out(problem: Problem, find: Find, slacks=SLACK) -> Trial | None:
     """The equilibrium of a cable that ``find`` finds free of all obstacles when it is short; None if it does not, or if
     a step does not arrive."""
     taut = tautness(problem.scene)
-    if problem.scene.options.elements is not None or not taut:
+    # A free end says nothing of how long the way is.
+    if problem.scene.options.elements is not None or not (problem.scene.spans and taut):
         return None
     full = 1 / taut - 1
     for slack in slacks[:1] if problem.scene.supports else slacks:

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cables whose free shape crosses obstacles, found by letting out a short one that goes straight past them."""
 
+from dataclasses import replace
+
 import pytest
 
 from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.problem import Box, Clamped, Rod, Scene, Swivel
+from freecad_cable.problem import Box, Clamped, Free, Ring, Rod, Scene, Sleeve, Swivel
+from freecad_cable.problem.reduce import reduce
+from freecad_cable.solve.letting_out import let_out
+from freecad_cable.solve.problem import Problem
 from tests.verification.test_laying import assert_rests
 
 PLATES = Scene(
@@ -43,3 +48,17 @@ BLOCK = Scene(
 @pytest.mark.parametrize("scene", [PLATES, BLOCK], ids=["thin plates", "block under a long cable"])
 def test_found(scene):
     assert_rests(find_equilibrium(scene).raise_for_status())
+
+
+def test_a_free_end_that_a_shorter_cable_would_not_reach():
+    """Between what holds it there is slack, but none beyond."""
+    along = [0, 1, 0]
+    scene = replace(
+        PLATES,
+        end=Free(),
+        supports=(
+            Sleeve([0, 0.2, 0], along, arc_length=0.25),
+            Ring([0, 0.59, 0], along, radius=0.01),
+        ),
+    )
+    assert let_out(Problem.of(scene, reduce(scene)), lambda *_: None) is None
