@@ -57,7 +57,7 @@ def direction(field, value, size=3):
     norm = np.linalg.norm(array / max(np.abs(array).max(), 1e-300)) * np.abs(array).max()
     if not norm > 1e-9:
         raise ProblemError(
-            field, f"is {shown(array.tolist())}; its length is zero, so it gives no direction"
+            field, f"is {shown(array)}; its length is zero, so it gives no direction"
         )
     array = array / norm
     array.flags.writeable = False

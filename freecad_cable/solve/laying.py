@@ -55,6 +55,4 @@ def _under(problem, load):
     """The same cable under a share of its weight, roughly."""
     scene = problem.scene
     options = replace(scene.options, tolerance=max(ROUGH, scene.options.tolerance))
-    scene = replace(scene, gravity=load * scene.gravity, options=options)
-    lighter = Problem.of(scene, problem.model, problem.watch)
-    return replace(lighter, deadline=problem.deadline, effort=problem.effort)
+    return problem.eased(replace(scene, gravity=load * scene.gravity, options=options))

@@ -89,5 +89,4 @@ def _as_long(problem, share):
         for each in scene.supports
     )
     rod = replace(scene.rod, length=share * scene.rod.length)
-    shorter = Problem.of(replace(scene, rod=rod, supports=supports), problem.model, problem.watch)
-    return replace(shorter, deadline=problem.deadline, effort=problem.effort)
+    return problem.eased(replace(scene, rod=rod, supports=supports))

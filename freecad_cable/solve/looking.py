@@ -120,8 +120,10 @@ def unhindered(around_it, before, after):
     moved = np.linalg.norm(after.position - there, axis=1)
     moved = np.maximum(moved[:-1], moved[1:])
     room = around_it.look(after, moved.max()).least
-    if room.min() <= 0 or (room > moved).all():
-        return room.min() > 0
+    if room.min() <= 0:
+        return False
+    if (room > moved).all():
+        return True
     same = np.array_equal(before.arc_length, after.arc_length)
     return same and bool((room + around_it.look(before, moved.max()).least.clip(0) > moved).all())
 

@@ -3,7 +3,7 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -79,6 +79,11 @@ class Problem:
         pulls = [np.linalg.norm(each.pull) for each in hold(layered)]
         scaling = scaling.pulled(max(pulls, default=0.0)).fit_for(pull)
         return cls(scene, model, scaling, layered, deadline, watch=watch)
+
+    def eased(self, scene: Scene) -> "Problem":
+        """That of an easier scene with the same model, within the time of this one, and what it takes counted here."""
+        other = Problem.of(scene, self.model, self.watch)
+        return replace(other, deadline=self.deadline, effort=self.effort)
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:

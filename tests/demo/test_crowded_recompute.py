@@ -3,11 +3,11 @@
 
 import random
 import statistics
-import time
 import unittest
 
 import FreeCAD
 from FreeCAD import Placement, Rotation, Vector
+from test_recompute_time import seconds
 
 from freecad_cable.document import make
 
@@ -42,11 +42,9 @@ def cable_among(document, seed):
     return make.cable(document, start=start, end=end, length="300 mm", obstacles=solids), plugs[1]
 
 
-def seconds(document, plug, step):
+def dragged(document, plug, step):
     plug.Placement.Base = Vector(100 + step / 4, 0, -10)
-    begin = time.perf_counter()
-    document.recompute()
-    return time.perf_counter() - begin
+    return seconds(document)
 
 
 class CrowdedRecomputeTest(unittest.TestCase):
@@ -64,7 +62,7 @@ class CrowdedRecomputeTest(unittest.TestCase):
             for document, given in ((self.plain, 0), (self.crowded, seed))
         ]
         times = [
-            [seconds(document, plug, step) for document, _, plug in made]
+            [dragged(document, plug, step) for document, _, plug in made]
             for step in range(STEPS + 1)
         ]
         cable = made[1][1]
