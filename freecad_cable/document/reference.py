@@ -10,7 +10,7 @@ is found is in the coordinates of the container that both share.
 from dataclasses import dataclass
 
 import Part
-from FreeCAD import Matrix, Placement
+from FreeCAD import DocumentObject, Matrix, Placement
 
 from ..errors import DocumentError
 from .proxy import in_use
@@ -75,7 +75,7 @@ def _is_path(value):
 
 
 def _is_object(value):
-    return hasattr(value, "TypeId") and hasattr(value, "getSubObject")
+    return isinstance(value, DocumentObject)
 
 
 def container(obj):

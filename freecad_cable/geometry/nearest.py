@@ -53,14 +53,11 @@ def measured(points, feature, center, direction, radius, otherwise) -> Nearest:
     ``otherwise`` (m, 3), unit, stands in where a point is on the line or at the point itself. If that is
     sharp (ρ = 0), the distance has a kink there, and the feature is the flat one with that normal.
     """
-    shape = points.shape
-    center, direction, otherwise = (
-        np.broadcast_to(a, shape) for a in (center, direction, otherwise)
-    )
-    feature, radius = (np.broadcast_to(a, shape[:1]) for a in (feature, radius))
+    radius, center = np.full(len(points), radius, float), np.zeros_like(points) + center
     away = points - center
-    across = away - np.sum(away * direction, axis=1)[:, None] * direction
-    length = np.linalg.norm(across, axis=1)
+    along = (away * direction).sum(axis=1)
+    across = away - along[:, None] * direction
+    length = np.sqrt((across * across).sum(axis=1))
     scale = np.maximum(np.abs(points).max(axis=1), np.abs(center).max(axis=1))
     on_it = (feature != FLAT) & (length <= ROUNDING * scale)
     on_sharp = on_it & (radius == 0)
@@ -70,8 +67,8 @@ def measured(points, feature, center, direction, radius, otherwise) -> Nearest:
     flat = feature == FLAT
     normal = across / np.maximum(length, 1e-300)[:, None]
     normal = np.where(on_it[:, None], otherwise, np.where(flat[:, None], direction, normal))
-    distance = np.where(flat, np.sum(away * direction, axis=1), length - radius)
-    return Nearest(distance, normal, feature, np.array(center), direction, np.array(radius))
+    distance = np.where(flat, along, length - radius)
+    return Nearest(distance, normal, feature, center, direction, radius)
 
 
 def perpendicular(directions):
