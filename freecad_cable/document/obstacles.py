@@ -108,8 +108,8 @@ def pieces(root, way):
     elif source.isDerivedFrom("Part::Feature") and (
         obj is source or not getattr(obj, "ElementCount", 0)
     ):
-        for i, solid in enumerate(shape_at(root, way).Solids):
-            yield Piece(obj.Label, solid, obstacle.placed(f"{source.FullName}.{i}", solid))
+        for solid, placed in obstacle.solids(source.FullName, shape_at(root, way)):
+            yield Piece(obj.Label, solid, placed)
     else:
         for step in obj.getSubObjects():
             child = obj.getSubObject(step, retType=1)

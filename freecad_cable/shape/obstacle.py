@@ -41,6 +41,8 @@ class _Solid:
 
 
 _kept: OrderedDict[str, _Solid] = OrderedDict()
+_last: OrderedDict[str, tuple] = OrderedDict()
+"""Of each object its shape when it was last asked for, and what ``solids`` said of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,8 +65,20 @@ class Placed:
         return _mesh(self, _deflection(self.solid, radius), place)
 
 
+def solids(name, shape) -> list[tuple[Part.Shape, Placed]]:
+    """The solids of a shape, each with where it stands. ``name`` is always the same for the same object, wherever it
+    stands."""
+    known = _last.get(name)
+    # One that has neither changed nor moved need not be taken apart again, which is most of reading it.
+    if known is None or not known[0].isEqual(shape):
+        each = [(solid, placed(f"{name}.{i}", solid)) for i, solid in enumerate(shape.Solids)]
+        known = _last[name] = Part.Shape(shape), each
+    _used(_last, name)
+    return known[1]
+
+
 def placed(name, shape) -> Placed:
-    """The solid ``shape``. ``name`` is always the same for the same object, wherever it stands."""
+    """The solid ``shape``. ``name`` as for ``solids``."""
     return _placed(_solid(name, shape), tuple(shape.Placement.Matrix.A))
 
 
@@ -77,10 +91,14 @@ def _solid(name, shape) -> _Solid:
         box = own.BoundBox
         corners = np.array([tuple(box.getPoint(i)) for i in range(8)])
         _kept[name] = known = _Solid(own, corners)
-        if len(_kept) > MOST:
-            _kept.popitem(last=False)
-    _kept.move_to_end(name)
+    _used(_kept, name)
     return known
+
+
+def _used(kept, name):
+    kept.move_to_end(name)
+    if len(kept) > MOST:
+        kept.popitem(last=False)
 
 
 @lru_cache(MOST)

@@ -64,6 +64,24 @@ class ObstacleTest(unittest.TestCase):
         self.assertTrue((low <= there.vertices.min(axis=0) + 1e-12).all())
         self.assertTrue((high >= there.vertices.max(axis=0) - 1e-12).all())
 
+    def test_what_has_neither_moved_nor_changed_is_not_taken_apart_again(self):
+        two = Part.makeCompound([Part.makeBox(30, 20, 10), Part.makeSphere(5)])
+
+        def bounds(shape):
+            return [it.bounds.tolist() for _, it in obstacle.solids("Two", shape)]
+
+        first = obstacle.solids("Two", two)
+        self.assertIs(obstacle.solids("Two", Part.Shape(two)), first)
+        here = bounds(two)
+        two.Placement = MOVE
+        self.assertEqual(
+            bounds(two), [obstacle.placed("Alone", s).bounds.tolist() for s in two.Solids]
+        )
+        self.assertNotEqual(bounds(two), here)
+        two.Placement = Placement()
+        self.assertEqual(bounds(two), here)
+        self.assertEqual(len(bounds(Part.makeBox(1, 1, 1))), 1)
+
     def test_it_is_made_once_for_the_same_shape(self):
         box = Part.makeBox(30, 20, 10)
         real = obstacle.MeshPart.meshFromShape
