@@ -237,6 +237,8 @@ class Surroundings:
 
     def deepest(self, shape: Shape) -> float:
         """How far the cable enters the distance to keep, without units; 0 if no more than it may."""
+        if not self.obstacles:
+            return 0.0
         depth = -float(self.between(shape).min())
         return depth if depth > PENETRATION * self.radius else 0.0
 
