@@ -42,7 +42,7 @@ class _Solid:
 
 _kept: OrderedDict[str, _Solid] = OrderedDict()
 _last: OrderedDict[str, tuple] = OrderedDict()
-"""Of each object its shape when it was last asked for, and what ``solids`` said of it."""
+"""Of each object that is one solid its shape when it had last changed, and what ``solids`` said of it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,11 +70,14 @@ def solids(name, shape) -> list[tuple[Part.Shape, Placed]]:
     stands."""
     known = _last.get(name)
     # One that has neither changed nor moved need not be taken apart again, which is most of reading it.
-    if known is None or not known[0].isEqual(shape):
-        each = [(solid, placed(f"{name}.{i}", solid)) for i, solid in enumerate(shape.Solids)]
-        known = _last[name] = Part.Shape(shape), each
-    _used(_last, name)
-    return known[1]
+    if known is not None and known[0].isEqual(shape):
+        return known[1]
+    each = [(solid, placed(f"{name}.{i}", solid)) for i, solid in enumerate(shape.Solids)]
+    # To a compound more can be added, which would be added to what is remembered of it, too.
+    if shape.ShapeType == "Solid":
+        _last[name] = Part.Shape(shape), each
+        _used(_last, name)
+    return each
 
 
 def placed(name, shape) -> Placed:
@@ -84,8 +87,12 @@ def placed(name, shape) -> Placed:
 
 def _solid(name, shape) -> _Solid:
     known = _kept.get(name)
-    # Partners share their geometry and may stand at different places.
-    if known is None or not known.shape.isPartner(shape):
+    # Partners share their geometry, and may stand at different places and be inside out.
+    if (
+        known is None
+        or not known.shape.isPartner(shape)
+        or known.shape.Orientation != shape.Orientation
+    ):
         own = Part.Shape(shape)
         own.Placement = Placement()
         box = own.BoundBox

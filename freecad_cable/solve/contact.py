@@ -12,7 +12,7 @@ from itertools import islice
 import numpy as np
 
 from ..transcription.shape import Shape
-from . import mesh, touching
+from . import mesh, strong_form, touching
 from .detours import detours
 from .gathering import APART, FIRST, compared, gathered
 from .problem import Problem, TimeUpError
@@ -23,6 +23,12 @@ from .trial import Trial
 
 AT_RIMS = 4
 """Starts that are tried where a cable is in nothing but rims of rings."""
+
+LEFT = 1e-8
+"""Sum of the defects that the solvers leave."""
+AGES = 1.1
+"""Growth of an error from step to step of a drag, at least: so it is measured anew after some ten or twenty, and the
+mesh, made for the first of them, with it."""
 
 
 def around(problem: Problem, trial: Trial) -> Trial | None:
@@ -130,7 +136,7 @@ def _resumed(problem, warm):
         return compared(problem, found)
     error = np.inf
     if known and not around_it.deepest(found.shape):
-        error = warm.error * _coarser(problem, found, warm)
+        error = _dragged(problem, found, warm)
         if error <= problem.scene.options.tolerance:
             return found.measured_as(error)
     return gathered(problem, found, error)
@@ -148,8 +154,18 @@ def _clear(problem, found):
     return found if right else None
 
 
-def _coarser(problem, trial, warm) -> float:
-    """How much longer the elements are where contact begins and ends now than the finest were, which are those where it
-    began and ended before: the error goes with them."""
-    places = touching.places(problem, trial)
-    return max(1.0, touching.fineness(trial.shape, places) / warm.steps.min())
+def _dragged(problem, trial, warm) -> float:
+    """The error of an equilibrium on the nodes of an earlier one, from the error of that.
+
+    Beside contacts it goes with the defects of the elements. Where the cable slides freely over a point it is of third
+    order in the element there (decision 17); where contact begins and ends at nodes it goes with the elements, the
+    finest of which are those where it began and ended when the error was measured."""
+    shape, structure, values = trial.shape, trial.nlp.structure, trial.values
+    both = shape, warm
+    pushed = np.any([touching.pushed(each, values["weight"]) for each in both], axis=0)
+    now, before = (strong_form.defect(each, values, structure, ~pushed) for each in both)
+    coarser = 1.0
+    if len(places := touching.places(problem, trial, pointed=False)):
+        coarser = touching.fineness(shape, places) / warm.steps.min()
+    grown = max(AGES, coarser, (now + LEFT) / (before + LEFT))
+    return warm.error * grown + touching.displaced(trial)

@@ -42,12 +42,8 @@ def settled(
         if trial is None:
             return near
         shape = trial.shape
-        stale, kept = _slid_off(around_it, trial), not (leaving or problem.apart)
-        # Of a cable that is in nothing, other places would say no more.
-        if kept and stale < well and around_it.look(shape, reach).least.min() > -well:
-            return trial
         places = around_it.places(shape, reach, pushed=trial.pushed if turn >= TWICE else None)
-        stale = max(stale, _depth(trial, places))
+        stale = _staleness(around_it, trial, places)
         if stale < enough:
             own = _own_staleness(problem, trial) if problem.apart else 0.0
             if max(stale, own) < well:
@@ -72,17 +68,14 @@ def _own_staleness(problem, trial) -> float:
     return max(stale, -nearest.min())
 
 
-def _depth(trial, places) -> float:
-    """How far the places that a look at a trial finds are inside what they keep away from; negative if they are not."""
-    if places is None:
-        return 0.0
-    here = arms.rows(trial.nlp.structure, trial.shape, places)
-    return -float(arms.read(trial.nlp, trial.raw.x, here).gap.min())
-
-
-def _slid_off(around_it, trial) -> float:
-    """Largest difference between a gap that pushes and that of its place to the obstacle."""
-    stale, pushed = 0.0, trial.pushed
+def _staleness(around_it, trial, places) -> float:
+    """How far the places that a look at a trial finds are inside what they keep away from, and the largest difference
+    between a gap that pushes and that of its place to the obstacle."""
+    stale = 0.0
+    if places is not None:
+        here = arms.rows(trial.nlp.structure, trial.shape, places)
+        stale = -arms.read(trial.nlp, trial.raw.x, here).gap.min()
+    pushed = trial.pushed
     for owner in () if pushed is None else np.unique(pushed.owners):
         own = pushed.owners == owner
         there = around_it.nearest_of(

@@ -24,22 +24,13 @@ def correction(shape, values, structure) -> np.ndarray:
     """Corrections (n+1, 12) of the nodes without units: position, turn (world), force, moment.
 
     Infinite where the rod cannot be integrated at all: such nodes are no rod."""
-    compliance = np.zeros(6)
-    kept = list(structure.strains)
-    compliance[kept] = 1 / values["stiffness"][kept]
-    limit = float(values["curvature_limit"]) if structure.bend_limit else np.inf
-    law = Law(compliance, values["natural"], values["weight"], limit)
+    compliance, law = _law(values, structure)
     parts, given = [], []
     for part in shape.parts():
         arc_length, own = _resolving(part, compliance)
         parts.append(part.on(arc_length))
         given.append(own)
-    states = [
-        np.hstack([part.position, part.quaternion, part.force, part.moment]) for part in parts
-    ]
-    before, after = (np.concatenate([y[cut] for y in states]) for cut in (np.s_[:-1], np.s_[1:]))
-    steps = np.concatenate([part.steps for part in parts])
-    transfer, defects = law.elements(before, after, steps)
+    states, (transfer, defects) = _over(law, parts)
     if not np.isfinite(defects).all():
         return np.full((len(shape.arc_length), 12), np.inf)
     first, last = states[0][0], states[-1][-1]
@@ -63,6 +54,30 @@ def correction(shape, values, structure) -> np.ndarray:
             for k, (own, index) in enumerate(zip(found, given, strict=True))
         ]
     )
+
+
+def defect(shape, values, structure, elements) -> float:
+    """By how much some ``elements`` (n,) of a shape miss the equations in sum, without units."""
+    _, (_, defects) = _over(_law(values, structure)[1], shape.parts())
+    return float(np.linalg.norm(defects[elements, :6], axis=1).sum())
+
+
+def _law(values, structure):
+    """Compliance (6,) of the strains that are kept, and the law."""
+    compliance = np.zeros(6)
+    kept = list(structure.strains)
+    compliance[kept] = 1 / values["stiffness"][kept]
+    limit = float(values["curvature_limit"]) if structure.bend_limit else np.inf
+    return compliance, Law(compliance, values["natural"], values["weight"], limit)
+
+
+def _over(law, parts):
+    """States of the nodes of each part of a shape, and what a law says of all elements."""
+    states = [
+        np.hstack([part.position, part.quaternion, part.force, part.moment]) for part in parts
+    ]
+    before, after = (np.concatenate([y[cut] for y in states]) for cut in (np.s_[:-1], np.s_[1:]))
+    return states, law.elements(before, after, np.concatenate([part.steps for part in parts]))
 
 
 def _resolving(shape, compliance):

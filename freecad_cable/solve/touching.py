@@ -7,11 +7,14 @@ FAINT = 0.01
 """Share of the largest force of a place below which a node is not taken to touch."""
 
 
-def places(problem, trial) -> np.ndarray:
-    """Arc lengths where contact begins or ends, or is at a point."""
+def places(problem, trial, pointed=True) -> np.ndarray:
+    """Arc lengths where contact begins or ends, or is at a point; whether those at which the cable slides freely over a
+    point are among them: ``pointed``."""
     around_it, s = problem.surroundings, trial.shape.arc_length
     size, found = np.linalg.norm(trial.contact_forces, axis=2), []
     for run in trial.contact_runs(around_it.radius):
+        if not pointed and len(run[0]) == 1 and trial.places.slides[run].all():
+            continue
         found += _ends(trial.contact_places[run], size[run])
     touches = trial.with_itself
     force = np.linalg.norm(touches.forces, axis=1)
@@ -24,6 +27,22 @@ def places(problem, trial) -> np.ndarray:
         worst = int(np.argmin(around_it.between(trial.shape)))
         found.append((s[worst] + s[worst + 1]) / 2)
     return np.array(found)
+
+
+def pushed(shape, weight) -> np.ndarray:
+    """(n,) whether something pushes an element of an equilibrium under a ``weight`` (3,), told from its forces."""
+    beyond = shape.force[:-1].copy()
+    for joint in shape.joints:
+        beyond[joint.node] -= joint.force
+    push = np.linalg.norm(beyond - shape.force[1:] - shape.steps[:, None] * weight, axis=1)
+    return push > FAINT * push.max()
+
+
+def displaced(trial) -> float:
+    """How far what is between the nodes of an element lets a force on it be from where it acts, at most: F h³/12 EI."""
+    softness = 1 / trial.values["stiffness"][:2].min()
+    force = np.linalg.norm(trial.contact_forces, axis=2).max(axis=1, initial=0.0)
+    return float((force * trial.shape.steps**3).max(initial=0.0) * softness / 12)
 
 
 def _ends(arc_length, force):

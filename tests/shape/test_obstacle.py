@@ -65,22 +65,31 @@ class ObstacleTest(unittest.TestCase):
         self.assertTrue((high >= there.vertices.max(axis=0) - 1e-12).all())
 
     def test_what_has_neither_moved_nor_changed_is_not_taken_apart_again(self):
-        two = Part.makeCompound([Part.makeBox(30, 20, 10), Part.makeSphere(5)])
-
         def bounds(shape):
-            return [it.bounds.tolist() for _, it in obstacle.solids("Two", shape)]
+            return [it.bounds.tolist() for _, it in obstacle.solids("One", shape)]
 
-        first = obstacle.solids("Two", two)
-        self.assertIs(obstacle.solids("Two", Part.Shape(two)), first)
-        here = bounds(two)
-        two.Placement = MOVE
-        self.assertEqual(
-            bounds(two), [obstacle.placed("Alone", s).bounds.tolist() for s in two.Solids]
-        )
-        self.assertNotEqual(bounds(two), here)
-        two.Placement = Placement()
-        self.assertEqual(bounds(two), here)
-        self.assertEqual(len(bounds(Part.makeBox(1, 1, 1))), 1)
+        one = Part.makeBox(30, 20, 10)
+        first = obstacle.solids("One", one)
+        self.assertIs(obstacle.solids("One", Part.Shape(one)), first)
+        here = bounds(one)
+        one.Placement = MOVE
+        self.assertEqual(bounds(one), [obstacle.placed("Alone", one).bounds.tolist()])
+        self.assertNotEqual(bounds(one), here)
+        one.Placement = Placement()
+        self.assertEqual(bounds(one), here)
+        self.assertNotEqual(bounds(Part.makeBox(1, 1, 1)), here)
+
+    def test_what_is_added_to_a_compound_is_seen(self):
+        compound = Part.makeCompound([Part.makeBox(30, 20, 10)])
+        self.assertEqual(len(obstacle.solids("Compound", compound)), 1)
+        compound.add(Part.makeSphere(5))
+        self.assertEqual(len(obstacle.solids("Compound", compound)), 2)
+
+    def test_one_that_was_inside_out_is_seen_when_it_is_turned(self):
+        inside_out = Part.makeBox(30, 20, 10).reversed()
+        with self.assertRaises(ProblemError):
+            obstacle.placed("Turned", inside_out).mesh(RADIUS, "obstacle")
+        obstacle.placed("Turned", inside_out.reversed()).mesh(RADIUS, "obstacle")
 
     def test_it_is_made_once_for_the_same_shape(self):
         box = Part.makeBox(30, 20, 10)
