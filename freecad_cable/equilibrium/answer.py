@@ -122,7 +122,11 @@ def _formed(problem, trial):
 def _clearance(problem, shape):
     if not problem.surroundings.obstacles:
         return None
-    return problem.surroundings.strict.clearance(shape) * problem.scaling.length
+    strict = problem.surroundings.strict
+    smallest = strict.clearance(shape)
+    if np.isinf(smallest):
+        smallest = strict.bare.clearance(shape)
+    return smallest * problem.scaling.length
 
 
 def _obstacles_left_out(problem, trial):
@@ -219,13 +223,15 @@ def _verdict(problem, trial, check, violation):
 
 def _too_near(problem, shape) -> str | None:
     """A sentence if the cable is nearer to an obstacle than it may be."""
-    scene, length = problem.scene, problem.scaling.length
-    depth = problem.surroundings.deepest(shape) * length
+    scene, length, around_it = problem.scene, problem.scaling.length, problem.surroundings
+    if not (depth := around_it.deepest(shape) * length):
+        around_it = around_it.bare
+        depth = around_it.deepest(shape) * length
     if not depth:
         return None
-    place, obstacle = problem.surroundings.worst(shape)
+    place, obstacle = around_it.worst(shape)
     keep = "its radius"
-    if scene.clearance:
+    if around_it.scene.clearance:
         keep = f"its radius plus the clearance of {scene.clearance:g} m"
     return (
         f"At {place * length:.3g} m the cable is {depth:.2g} m nearer to {scene.obstacles[obstacle].place} than {keep} "

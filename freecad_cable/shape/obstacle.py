@@ -74,7 +74,7 @@ def solids(name, shape) -> list[tuple[Part.Shape, Placed]]:
         return known[1]
     each = [(solid, placed(f"{name}.{i}", solid)) for i, solid in enumerate(shape.Solids)]
     # To a compound more can be added, which would be added to what is remembered of it, too.
-    if shape.ShapeType == "Solid":
+    if each and shape.ShapeType == "Solid":
         _last[name] = Part.Shape(shape), each
         _used(_last, name)
     return each

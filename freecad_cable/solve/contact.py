@@ -127,7 +127,7 @@ def _resumed(problem, warm):
     around_it = problem.surroundings
     if not known and around_it.between(warm).min(initial=np.inf) > around_it.radius:
         return None
-    found = settled(problem, warm, BESIDE, fallback=known)
+    found = _followed(problem, warm, known)
     if found is None or not found.stable:
         return None
     if not found.touches:
@@ -140,6 +140,23 @@ def _resumed(problem, warm):
         if error <= problem.scene.options.tolerance:
             return found.measured_as(error)
     return gathered(problem, found, error)
+
+
+def _followed(problem, warm, fallback):
+    """The equilibrium that the iteration finds from an earlier one. What the cable has come past without having had it
+    in sight, it may have passed through; then once more, with that in sight."""
+    found = settled(problem, warm, BESIDE, fallback=fallback)
+    if found is None:
+        return None
+    moved = np.linalg.norm(found.shape.position - warm.position, axis=1)
+    moved = np.maximum(moved[1:], moved[:-1])
+    if moved.max() <= BESIDE:
+        return found
+    room = problem.surroundings.look(warm, moved.max()).least
+    passed = (room > BESIDE) & (room < moved)
+    if not passed.any():
+        return found
+    return settled(problem, warm, moved[passed].max(), fallback=fallback)
 
 
 def _clear(problem, found):

@@ -62,6 +62,13 @@ class Surroundings:
         return other
 
     @cached_property
+    def bare(self) -> "Surroundings":
+        """The same without clearance. What is beside a node that is held need not keep it, but be outside all the same."""
+        if not self.scene.clearance:
+            return self
+        return Surroundings(replace(self.scene, clearance=0.0), self.scaling, self.rims)
+
+    @cached_property
     def holes(self) -> list[tuple[int, int, Bore]]:
         """Round holes that rings are in: number of the support, number of the obstacle, the hole [m]. With less room
         than a cable needs they are left to the rings."""

@@ -30,6 +30,18 @@ def test_what_is_beside_costs_nothing(y):
     assert np.array_equal(found.position, alone.position)
 
 
+def test_it_follows_a_pin_that_moves_away():
+    """Farther than a cable that touches looks beside itself; it would be on the other side of it by now."""
+    found = None
+    for y in np.linspace(0.0, AT + 0.03, 12):
+        found = find_equilibrium(hanging(y), start=found).raise_for_status()
+    assert len(found.contacts) == 1
+    away = AT + 0.03 * ROD.length
+    followed = find_equilibrium(hanging(y, (away,)), start=found).raise_for_status()
+    assert len(followed.contacts) == 1
+    assert followed.position[:, 1].min() < away - ROD.radius
+
+
 def test_it_does_not_hop_over_a_pin():
     y = AT + 2 * ROOM + ROD.radius
     before = find_equilibrium(hanging(0.0)).raise_for_status()

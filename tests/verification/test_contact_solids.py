@@ -9,7 +9,19 @@ import pytest
 from benchmarks.among import curve
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.geometry import rotation
-from freecad_cable.problem import Box, Clamped, Cylinder, HalfSpace, Mesh, Sleeve, Sphere, Tube
+from freecad_cable.problem import (
+    Box,
+    Clamped,
+    Cylinder,
+    HalfSpace,
+    Mesh,
+    Rod,
+    Scene,
+    Sleeve,
+    Sphere,
+    Tube,
+    round_section,
+)
 
 FLOOR = HalfSpace([0, 0, -0.05], [0, 0, 1])
 ACROSS = Cylinder([-0.3, -0.24, -0.12], [0.4, -0.24, -0.12], 0.05)
@@ -243,3 +255,17 @@ def test_a_cable_that_slides_and_touches(table_1, lift):
     ball = Sphere([0.02, -0.2, -0.04], 0.05)
     scene = replace(table_1(0.73), supports=(Sleeve(place, tangent),), obstacles=(ball,))
     assert find_equilibrium(scene).raise_for_status().contacts
+
+
+def test_no_clearance_however_large_lets_a_cable_through():
+    """What is beside a connector need not keep the clearance that the connector itself has not, but be outside."""
+    rib = Box([0.02, 0, -0.032], [1, 0, 0, 0], [0.024, 0.2, 0.07])
+    rod = Rod(length=0.05, **round_section(0.003, 10e6, 20e6, 1160.0))
+    along = rotation.from_tangent(np.array([1.0, 0, 0]))
+    start, end = Clamped([0, 0, 0], along), Clamped([0.04, 0, 0], along)
+    down = [0, 0, -9.81]
+    scene = Scene(rod=rod, start=start, end=end, gravity=down, obstacles=(rib,), clearance=0.02)
+    found = find_equilibrium(scene)
+    assert not found.status.success
+    assert "than its radius allows" in found.message
+    assert found.min_clearance < -0.01
