@@ -17,7 +17,7 @@ from . import cut, results, solving, stored_solution
 from .complaint import in_properties, in_words
 from .doubts import doubts
 from .property_table import Prop, wrong
-from .proxy import IncompleteError, Proxy, in_use
+from .proxy import IncompleteError, OutdatedError, Proxy, in_use
 from .read_scene import read_scene
 from .reference import rebase
 from .stored_solution import fingerprint, keep, nodes
@@ -209,7 +209,8 @@ def _solved(obj, scene, inputs):
     except SolverMissingError as error:
         # It ends with the command that installs it; this is where FreeCAD looks for what it does not bring.
         folder = Path(FreeCAD.getUserAppDataDir()) / "AdditionalPythonPackages"
-        raise DocumentError(f'{obj.Label}: {error} --target "{folder}"') from None
+        kind = OutdatedError if obj.SolvedInputs else DocumentError
+        raise kind(f'{obj.Label}: {error} --target "{folder}"') from None
     except CableError as error:
         raise DocumentError(f"{obj.Label}: {error}") from None
     except (ArithmeticError, ValueError) as error:

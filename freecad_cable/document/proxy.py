@@ -20,6 +20,11 @@ class IncompleteError(DocumentError):
     """The results stand, but something that follows from them is missing."""
 
 
+class OutdatedError(DocumentError):
+    """The results are from before the last change, and better than none: no fault of the document keeps it from new
+    ones."""
+
+
 class Proxy:
     """Base of the proxies. FreeCAD makes one without ``__init__`` when it opens a file."""
 
@@ -52,11 +57,14 @@ class Proxy:
         try:
             self.run(obj)
         except CableError as error:
-            if isinstance(error, IncompleteError):
-                obj.Status = str(error)
+            if isinstance(error, OutdatedError):
+                self.outdate(obj, str(error))
             else:
-                self.clear(obj, str(error))
-            self.clear_dependents(obj, str(error))
+                if isinstance(error, IncompleteError):
+                    obj.Status = str(error)
+                else:
+                    self.clear(obj, str(error))
+                self.clear_dependents(obj, str(error))
             # Without its cause: FreeCAD shows the sentence, and a traceback would hide it. It shows this one and keeps
             # none, so it is in the language of the window.
             raise DocumentError(in_language(str(error))) from None
@@ -67,6 +75,14 @@ class Proxy:
             # A fault of ours: whoever mends it wants to know where it is.
             FreeCAD.Console.PrintError(traceback.format_exc())
             raise DocumentError(sentence) from error
+
+    def outdate(self, obj, sentence):
+        """All stays, and says that and why it is from before."""
+        for each in (obj, *observer.dependents(obj)):
+            if proxy_of(each, Proxy):
+                each.Status = sentence
+                if hasattr(each, "OutOfDate"):
+                    each.OutOfDate = True
 
     def clear_dependents(self, obj, sentence):
         """FreeCAD does not execute what depends on a failed object, so its old shape would stay and look new."""

@@ -63,7 +63,8 @@ class Surroundings:
 
     @cached_property
     def bare(self) -> "Surroundings":
-        """The same without clearance. What is beside a node that is held need not keep it, but be outside all the same."""
+        """The same without clearance: what is beside a node that is held need not keep it, but be outside all the
+        same."""
         if not self.scene.clearance:
             return self
         return Surroundings(replace(self.scene, clearance=0.0), self.scaling, self.rims)

@@ -172,9 +172,25 @@ class ErrorTest(DocumentTest):
     def solving(self, outcome):
         return mock.patch.object(solving, "find_equilibrium", **outcome)
 
+    def test_without_casadi_what_was_solved_stays(self):
+        error = SolverMissingError("CasADi is not installed, so no cable can be solved.")
+        self.cable.Length = "310 mm"
+        with self.solving({"side_effect": error}):
+            self.assertFailed(self.cable, "CasADi is not installed")
+        self.assertTrue(self.cable.OutOfDate)
+        self.assertEqual(self.cable.SolvedLength.Value, 300)
+        for obj in (self.cable, self.cable.Centreline, self.route):
+            self.assertFalse(obj.Shape.isNull())
+        self.assertEqual(self.cable.Centreline.Status, self.cable.Status)
+        self.compute()
+        self.assertFalse(self.cable.OutOfDate)
+        self.assertEqual(self.cable.SolvedLength.Value, 310)
+        self.assertEqual(self.cable.Centreline.Status, "")
+
     def test_without_casadi_the_route_is_drawn(self):
         error = SolverMissingError("CasADi is not installed, so no cable can be solved.")
         self.cable.Length = "310 mm"
+        self.cable.SolvedInputs = ""  # as before it was first solved
         with self.solving({"side_effect": error}):
             self.check(self.cable, "CasADi is not installed")
         self.assertGreater(self.route.Length.Value, 120)
