@@ -26,6 +26,9 @@ computation could resolve (it grows like 1/slack², `docs/theory.md`)."""
 ENTERED = 0.02
 """Depth in an obstacle, in radii, from which an earlier solution is one that was let through the rim of a ring."""
 
+A_STEP = 0.01
+"""Change up to which a scene is one step of a drag from an earlier one (see ``is_near``)."""
+
 ONE_AT_A_TIME = threading.RLock()
 """CasADi's functions are not safe in threads (two that solved at once crashed Python), so of those of one process one
 solves; to use more of a machine takes processes."""
@@ -73,7 +76,7 @@ def _in_one_piece(scene, start, watch, apart):
     if isinstance(problem, Solution):
         return problem
     problem.parts = apart
-    if start is not None and (start.min_clearance or 0.0) < -ENTERED * scene.rod.radius:
+    if start is not None and _entered(start, scene) and is_near(start, scene, A_STEP):
         # What was not to be found beside the rims of rings is not looked for at each step of a drag.
         problem.surroundings = problem.surroundings.without_rims()
     from ..solve.effects import find
@@ -97,7 +100,15 @@ def _in_one_piece(scene, start, watch, apart):
         # The checks put splines through the nodes, and may need more of these than the answer.
         trial = finer(problem, trial)
         found = solution(problem, trial)
+    if start is not None and not found.status.success:
+        # From there it may have come to a place from which there is no way on.
+        anew = _in_one_piece(scene, None, watch, apart)
+        return anew if anew.status.success else found
     return found
+
+
+def _entered(start, scene):
+    return (start.min_clearance or 0.0) < -ENTERED * scene.rod.radius
 
 
 def find_equilibria(scene: Scene) -> list[Solution]:

@@ -13,17 +13,17 @@ NEAR = 0.1
 a start."""
 
 
-def is_near(solution, scene) -> bool:
+def is_near(solution, scene, near=NEAR) -> bool:
     """Whether an earlier solution, of any scene, is a start for this one."""
     length = scene.rod.length
-    if abs(solution.arc_length[-1] / length - 1) > NEAR:
+    if abs(solution.arc_length[-1] / length - 1) > near:
         return False
     if len(solution.support_nodes) != len(scene.supports):
         return False
     held = zip(
         (scene.start, *scene.supports, scene.end), (0, *solution.support_nodes, -1), strict=True
     )
-    if not all(_holds_nearly(holder, solution, node, length) for holder, node in held):
+    if not all(_holds_nearly(holder, solution, node, length, near) for holder, node in held):
         return False
     # The old moments must be nearly those of this rod, or stiffness has changed by more than a start can bear.
     moment = np.einsum("kij,ki->kj", rotation.matrix(solution.quaternion), solution.moment)
@@ -31,7 +31,7 @@ def is_near(solution, scene) -> bool:
     return bool(np.abs(moment - ours).max() <= 0.5 * np.abs(ours).max())
 
 
-def _holds_nearly(holder, solution, node, length) -> bool:
+def _holds_nearly(holder, solution, node, length, near) -> bool:
     """Whether an end or a support moved little from where an earlier solution had it."""
     if not isinstance(holder, (Pinned, Support)):
         return True
@@ -47,4 +47,4 @@ def _holds_nearly(holder, solution, node, length) -> bool:
         turned = 2 * np.arccos(min(1.0, abs(holder.quaternion @ quaternion)))
     elif (tangent := orientation(holder)) is not None:
         turned = np.arccos(np.clip(rotation.tangent(quaternion) @ tangent, -1.0, 1.0))
-    return moved <= NEAR and turned <= np.pi * NEAR
+    return moved <= near and turned <= np.pi * near

@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from freecad_cable.equilibrium import find_equilibrium
+from freecad_cable.equilibrium import find, find_equilibrium
 from freecad_cable.geometry import rotation
 from freecad_cable.options import SolveOptions
 from freecad_cable.problem import Clamped, Free, Pinned, Rod, Scene, Swivel
@@ -165,3 +165,18 @@ def test_a_warm_start_keeps_the_branch_and_is_quick(table_1):
     assert np.abs(warm.position - first.position).max() < 0.01
     cold = find_equilibrium(nearby)
     assert warm.energy.total == pytest.approx(cold.energy.total, rel=1e-5)
+
+
+def test_what_a_start_leads_astray_is_looked_for_from_nothing(table_1, monkeypatch):
+    scene, real, told = table_1(0.55), find.solution, []
+    start = find_equilibrium(scene)
+
+    def astray(problem, trial):
+        """The first two, from the start and on more elements, are no good."""
+        told.append(real(problem, trial))
+        return replace(told[-1], status=Status.INACCURATE) if len(told) < 3 else told[-1]
+
+    monkeypatch.setattr(find, "solution", astray)
+    found = find_equilibrium(scene, start=start).raise_for_status()
+    assert found is told[2]
+    assert found.solver["iterations"] > told[0].solver["iterations"]
