@@ -17,6 +17,8 @@ from .obstacles import crowded
 from .property_table import Prop
 from .reference import pairs
 
+ROUGHLY = 0.02
+"""Of the radius of a cable, by which a clearance may fall short: solvers leave 1 % between nodes."""
 MUCH_TWIST = 45.0
 """[deg] Twist from which it is said where it comes from, if nobody has asked for it."""
 
@@ -147,12 +149,22 @@ def write_status(cable, scene):
             f"Warning: it passes a ring at an angle and is {-cable.SmallestClearance.Value:.2g} mm inside the rim of "
             "the hole; no shape was found that keeps clear of it, so widen the hole, or change the length or the ring."
         )
+    elif _falls_short(cable, scene.rod.radius):
+        sentences.append(
+            f"Warning: its smallest clearance is {cable.SmallestClearance.Value:.3g} mm where {cable.Clearance.Value:.4g} "
+            "mm is asked for: what holds the cable there leaves it no more room."
+        )
     if abs(cable.Twist.Value) > MUCH_TWIST and not any(map(_is_turned, (cable.Start, cable.End))):
         sentences.append(_twisted(cable))
     # Enforced, it may lack what the mesh leaves between nodes.
     if cable.BendRadiusMode == "Check" and cable.BendRadiusMargin.Value < 0:
         sentences.append(_too_tight(cable))
     cable.Status = " ".join(sentences)
+
+
+def _falls_short(cable, radius):
+    short = cable.Clearance.Value - cable.SmallestClearance.Value
+    return cable.Clearance.Value > 0 and short > ROUGHLY * from_si("length", radius)
 
 
 def _is_turned(terminal):

@@ -2236,6 +2236,10 @@
       <translation>sein Radius zuzüglich des Freiraums von {1}</translation>
     </message>
     <message>
+      <source>its smallest clearance is {1} mm where {2} mm is asked for: what holds the cable there leaves it no more room</source>
+      <translation>sein kleinster Freiraum beträgt {1} mm, verlangt sind {2} mm: was das Kabel dort hält, lässt ihm nicht mehr Platz</translation>
+    </message>
+    <message>
       <source>its solve was stopped; a recompute starts it again</source>
       <translation>seine Lösung wurde angehalten; ein Neuberechnen startet sie wieder</translation>
     </message>

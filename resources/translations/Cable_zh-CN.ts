@@ -2236,6 +2236,10 @@
       <translation>其半径加上间隙 {1}</translation>
     </message>
     <message>
+      <source>its smallest clearance is {1} mm where {2} mm is asked for: what holds the cable there leaves it no more room</source>
+      <translation>其最小间隙为 {1} mm，要求为 {2} mm：该处固定线缆的部件没有留出更多空间</translation>
+    </message>
+    <message>
       <source>its solve was stopped; a recompute starts it again</source>
       <translation>求解已停止；重新计算会再次启动</translation>
     </message>

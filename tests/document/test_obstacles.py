@@ -6,7 +6,7 @@ import Part
 from FreeCAD import Placement, Rotation, Vector
 from scenes import TOP, DocumentTest
 
-from freecad_cable.document import make
+from freecad_cable.document import make, results
 from freecad_cable.document.obstacles import crowded
 from freecad_cable.document.read_scene import read_scene
 from freecad_cable.errors import DocumentError
@@ -171,7 +171,14 @@ class FindingTest(ObstacleTest):
     def test_clearance(self):
         self.cable.Obstacles, self.cable.Clearance = self.block, "3 mm"
         self.doc.recompute()
-        self.assertAlmostEqual(read_scene(self.cable).clearance, 0.003, delta=1e-15)
+        scene = read_scene(self.cable)
+        self.assertAlmostEqual(scene.clearance, 0.003, delta=1e-15)
+        # In a hole, as a solved cable leaves it.
+        for clearance, falls_short in ((2.99, False), (0.42, True)):
+            self.cable.SmallestClearance = clearance
+            results.write_status(self.cable, scene)
+            said = "its smallest clearance is 0.42 mm where 3 mm is asked for"
+            self.assertEqual(said in self.cable.Status, falls_short)
 
     def test_make(self):
         cable = make.cable(
