@@ -34,6 +34,12 @@ class Observer:
         elif name == "Group":
             _rebase_references(obj.Document)
 
+    def slotDeletedObject(self, obj):
+        for dependent in obj.InList:
+            lose = getattr(getattr(dependent, "Proxy", None), "lose", None)
+            if lose:
+                lose(dependent, obj)
+
     def slotUndoDocument(self, document):
         _rebase_references(document)
 

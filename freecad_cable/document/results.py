@@ -151,8 +151,8 @@ def write_status(cable, scene):
         )
     elif _falls_short(cable, scene.rod.radius):
         sentences.append(
-            f"Warning: its smallest clearance is {cable.SmallestClearance.Value:.3g} mm where {cable.Clearance.Value:.4g} "
-            "mm is asked for: what holds the cable there leaves it no more room."
+            f"Warning: its smallest clearance is {cable.SmallestClearance.Value:.3g} mm where "
+            f"{cable.Clearance.Value:.4g} mm is asked for: what holds the cable there leaves it no more room."
         )
     if abs(cable.Twist.Value) > MUCH_TWIST and not any(map(_is_turned, (cable.Start, cable.End))):
         sentences.append(_twisted(cable))

@@ -168,6 +168,12 @@ class Study(Child):
         obj.OutOfDate = obj.StudiedInputs != inputs(obj, cable, read_studied(obj, cable))
         obj.Status = "Out of date; Run Study brings it up to date." if obj.OutOfDate else ""
 
+    def lose(self, obj, gone):
+        """``gone`` is being deleted. Without an object it is a property of the cable that is varied, so the path, too,
+        says that it was of another one."""
+        if obj.VariedObject is gone:
+            obj.VariedProperty = f"{gone.Label}.{obj.VariedProperty}"
+
     def clear(self, obj, sentence):
         """What it has found stays and says that it is old: the cable may be well again, and a run takes long."""
         obj.OutOfDate, obj.Status = True, sentence

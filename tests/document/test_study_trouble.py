@@ -132,6 +132,18 @@ class TestTrouble(StudyTest):
             make.study(self.doc, self.cable, varied="Length", start="wide", stop=3)
         self.assertEqual([o for o in self.doc.Objects if o.Name.startswith("Study")], [])
 
+    def test_what_is_varied_is_deleted(self):
+        """It is not a property of the cable with the same name that is varied then."""
+        box = self.doc.addObject("Part::Box", "Box")
+        study = self.study(box, "Length", start=300, stop=310, count=2)
+        self.doc.UndoMode = 1
+        self.doc.openTransaction("Delete")
+        self.doc.removeObject("Box")
+        self.doc.commitTransaction()
+        self.refused(study, "VariedProperty: Box.Length of Cable is None")
+        self.doc.undo()
+        self.assertEqual((study.VariedObject.Name, study.VariedProperty), ("Box", "Length"))
+
     def test_a_deleted_cable(self):
         study = self.study(varied="Length", start=280, stop=320, count=3)
         self.doc.removeObject(self.cable.Name)
