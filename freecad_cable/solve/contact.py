@@ -14,7 +14,7 @@ import numpy as np
 from ..transcription.shape import Shape
 from . import mesh, strong_form, touching
 from .detours import detours
-from .gathering import APART, FIRST, compared, gathered
+from .gathering import APART, FIRST, MESHES, compared, gathered
 from .problem import Problem, TimeUpError
 from .saddle import descended
 from .settling import settled
@@ -28,7 +28,8 @@ LEFT = 1e-8
 """Sum of the defects that the solvers leave."""
 AGES = 1.1
 """Growth of an error from step to step of a drag, at least: so it is measured anew after some ten or twenty, and the
-mesh, made for the first of them, with it."""
+mesh, made for the first of them, with it. As many times more where there are more elements than the fewest, for these
+will mostly do: where contact was is known now."""
 
 
 def around(problem: Problem, trial: Trial) -> Trial | None:
@@ -184,5 +185,6 @@ def _dragged(problem, trial, warm) -> float:
     coarser = 1.0
     if len(places := touching.places(problem, trial, pointed=False)):
         coarser = touching.fineness(shape, places) / warm.steps.min()
-    grown = max(AGES, coarser, (now + LEFT) / (before + LEFT))
+    ages = AGES * max(1.0, len(shape.steps) / min(MESHES))
+    grown = max(ages, coarser, (now + LEFT) / (before + LEFT))
     return warm.error * grown + touching.displaced(trial)
