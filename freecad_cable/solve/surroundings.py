@@ -32,6 +32,8 @@ ROOM = 0.2
 cable is squeezed by a rim that it passes at an angle."""
 ASKED_FIRST = 2
 """Obstacles that are asked for the clearance before the others: those whose boxes are nearest leave few of them."""
+CLOSELY = 1.01 * CLOSER
+"""Distance between samples, in radii of the cable, up to which an element has been looked at closely."""
 INSIDE = (4, 0.0), (16, 0.0), (16, CLOSER)
 """How the clearance is looked for in an element, and then between samples where it may be: so many samples for one, if
 they are more than so many radii of the cable apart."""
@@ -212,9 +214,11 @@ class Surroundings:
         smallest, at = float(look.least.min()), shape.arc_length
         within = self._at_least(shape.position).min(axis=0) - self.keep - shape.steps.max() / 2
         numbers = np.flatnonzero(within < smallest)
-        # What may touch has been looked at inside, but no farther than twice the distance to keep; of other elements
-        # the inside may yet be nearer than any node.
-        bound = np.where(look.bound < 0, np.minimum(look.least, self.keep), look.bound)
+        # What may touch has been looked at inside, but no farther than twice the distance to keep, and in long elements
+        # not closely; of other elements the inside may yet be nearer than any node.
+        known, apart = np.minimum(look.least, self.keep), shape.steps / np.diff(look.begin)
+        known = np.where(apart > CLOSELY * self.radius, known - apart / 2, known)
+        bound = np.where(look.bound < 0, known, look.bound)
         for count, finest in INSIDE:
             apart = np.diff(at)
             doubtful = (bound < smallest) & (apart > finest * self.radius)
@@ -225,7 +229,7 @@ class Surroundings:
             doubtful, half = np.repeat(doubtful, counts), apart[doubtful].max() / count / 2
             samples = np.flatnonzero(np.append(doubtful, False) | np.append(False, doubtful))
             smallest, least, numbers = self._smallest(fine, samples, numbers, smallest, half)
-            at = fine.arc_length
+            at, least = fine.arc_length, np.minimum(least, smallest + half)
             bound = np.where(doubtful, (least[:-1] + least[1:] - np.diff(at)) / 2, np.inf)
         return smallest + self.keep - self.radius
 

@@ -15,6 +15,7 @@ from freecad_cable.problem import (
     Cylinder,
     HalfSpace,
     Mesh,
+    Pinned,
     Rod,
     Scene,
     Sleeve,
@@ -269,3 +270,18 @@ def test_no_clearance_however_large_lets_a_cable_through():
     assert not found.status.success
     assert "than its radius allows" in found.message
     assert found.min_clearance < -0.01
+
+
+@pytest.mark.parametrize("share", [0.31, 0.505, 0.717])
+def test_the_clearance_of_a_thin_wire_beside_a_pellet(share):
+    """On elements a hundred times as long as the wire is thin, between whose samples a pellet hides."""
+    rod = Rod(length=1.0, **round_section(5e-4, 1e10, 2e10, 1160.0))
+    ends = {"start": Pinned([0, 0, 0]), "end": Pinned([0.9, 0, 0])}
+    alone = Scene(rod=rod, gravity=[0, 0, -9.81], **ends)
+    wire = curve(find_equilibrium(alone).raise_for_status())
+    pellet, gap = 2 * rod.radius, 1.5 * rod.radius
+    center = wire(share) + [0, pellet + gap + rod.radius, 0]
+    beside = replace(alone, obstacles=(Sphere(center, pellet),))
+    found = find_equilibrium(beside).raise_for_status()
+    away = np.linalg.norm(curve(found)(np.linspace(0, 1, 200_001)) - center, axis=1)
+    assert found.min_clearance == pytest.approx(away.min() - pellet - rod.radius, abs=0.01 * gap)
