@@ -136,7 +136,10 @@ class FileTest(DocumentTest):
         self.assertSame(observed["recomputed"])
         edited = observed["edited"]
         self.assertEqual(edited["State"], ["Touched", "Invalid"])
-        self.assertIsNone(edited["Volume"])
+        # What was solved before can still be seen, and says that it is from before.
+        for name in ("Volume", "SolvedLength", "EndForce", *NODES):
+            self.assertEqual(edited[name], observed["opened"][name])
+        self.assertTrue(edited["OutOfDate"])
         self.assertIn("CasADi is not installed", observed["message"])
         self.assertEqual(edited["Status"], observed["message"])
         length, drawn, said = observed["route"]
