@@ -83,7 +83,8 @@ class ObstacleTest(unittest.TestCase):
         compound = Part.makeCompound([Part.makeBox(30, 20, 10)])
         self.assertEqual(len(obstacle.solids("Compound", compound)), 1)
         compound.add(Part.makeSphere(5))
-        self.assertEqual(len(obstacle.solids("Compound", compound)), 2)
+        # FreeCAD 1.0 and later go on saying one themselves.
+        self.assertEqual(len(obstacle.solids("Compound", compound)), len(compound.Solids))
 
     def test_one_that_was_inside_out_is_seen_when_it_is_turned(self):
         inside_out = Part.makeBox(30, 20, 10).reversed()
