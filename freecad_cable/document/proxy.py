@@ -59,11 +59,11 @@ class Proxy:
         except CableError as error:
             if isinstance(error, OutdatedError):
                 self.outdate(obj, str(error))
+            elif isinstance(error, IncompleteError):
+                obj.Status = str(error)
+                self.clear_dependents(obj, str(error))
             else:
-                if isinstance(error, IncompleteError):
-                    obj.Status = str(error)
-                else:
-                    self.clear(obj, str(error))
+                self.clear(obj, str(error))
                 self.clear_dependents(obj, str(error))
             # Without its cause: FreeCAD shows the sentence, and a traceback would hide it. It shows this one and keeps
             # none, so it is in the language of the window.

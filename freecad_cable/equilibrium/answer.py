@@ -224,9 +224,9 @@ def _verdict(problem, trial, check, violation):
 def _too_near(problem, shape) -> str | None:
     """A sentence if the cable is nearer to an obstacle than it may be."""
     scene, length, around_it = problem.scene, problem.scaling.length, problem.surroundings
-    if not (depth := around_it.deepest(shape) * length):
+    if not around_it.deepest(shape):
         around_it = around_it.bare
-        depth = around_it.deepest(shape) * length
+    depth = around_it.deepest(shape) * length
     if not depth:
         return None
     place, obstacle = around_it.worst(shape)

@@ -249,8 +249,6 @@ class Surroundings:
 
     def deepest(self, shape: Shape) -> float:
         """How far the cable enters the distance to keep, without units; 0 if no more than it may."""
-        if not self.obstacles:
-            return 0.0
         depth = -float(self.between(shape).min())
         return depth if depth > PENETRATION * self.radius else 0.0
 
@@ -268,6 +266,8 @@ class Surroundings:
     def between(self, shape: Shape) -> np.ndarray:
         """(n,) smallest gap over each element, its inside included if it may touch; infinite where no obstacle is
         near."""
+        if not self.obstacles:
+            return np.full(len(shape.steps), np.inf)
         return self.look(shape).least
 
     def look(self, shape: Shape, reach=0.0) -> Look:

@@ -31,10 +31,10 @@ def places(problem, trial, pointed=True) -> np.ndarray:
 
 def pushed(shape, weight) -> np.ndarray:
     """(n,) whether something pushes an element of an equilibrium under a ``weight`` (3,), told from its forces."""
-    beyond = shape.force[:-1].copy()
-    for joint in shape.joints:
-        beyond[joint.node] -= joint.force
-    push = np.linalg.norm(beyond - shape.force[1:] - shape.steps[:, None] * weight, axis=1)
+    pushes = [
+        part.force[:-1] - part.force[1:] - part.steps[:, None] * weight for part in shape.parts()
+    ]
+    push = np.linalg.norm(np.concatenate(pushes), axis=1)
     return push > FAINT * push.max()
 
 
