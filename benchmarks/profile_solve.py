@@ -36,7 +36,7 @@ CLOCKED = (
     ("the start", search, "guess"),
     ("the start", layout, "variables"),
     ("the start", layout, "multipliers"),
-    ("the start", find, "_nodes"),
+    ("the start", find, "nodes"),
     ("the start", problem, "pack"),
     ("mesh", mesh, "uniform"),
     ("mesh", mesh, "refined"),

@@ -126,6 +126,9 @@ class Cable(Proxy):
 
     follows_placements = True
 
+    solution = None
+    """the last, as long as the document is open: a file has only its nodes"""
+
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)
         if obj.Centreline and obj.Centreline.Cable is not obj:

@@ -103,6 +103,9 @@ TABLE = tuple(
     )
 )
 
+ANEW = "Found anew: no equilibrium was found that the last shape becomes"
+"""Among what the model used."""
+
 
 def write(cable, solution: Solution):
     """Write all results but the status."""
@@ -136,6 +139,7 @@ def write(cable, solution: Solution):
         *(f"Kept: {sentence}" for sentence in solution.kept),
         *(f"Left out: {sentence}" for sentence in solution.left_out),
         f"Solved by {solver['name']}, scheme {solver['scheme']}, {solver['elements']} elements",
+        *([ANEW] if solution.anew else []),
     ]
     cable.Stable = bool(solution.stable)
 
@@ -144,6 +148,12 @@ def write_status(cable, scene):
     """That it is solved, and warnings that do not make the shape wrong."""
     sentences = [Status.CONVERGED.value, *cable.LengthLimits, *cable.FormedPlaces]
     sentences += [*doubts(cable.CableType), *unknowns(cable.CableType), *crowded(scene)]
+    if ANEW in cable.ModelUsed:
+        sentences.append(
+            "Warning: it does not lie as before: no equilibrium was found that its last shape becomes, and it may be "
+            "too short to stay where it was. This one may be on another side of an obstacle, or have a turn more; look "
+            "at it, or undo the change."
+        )
     if any("rims of rings" in sentence for sentence in cable.ModelUsed):
         sentences.append(
             f"Warning: it passes a ring at an angle and is {-cable.SmallestClearance.Value:.2g} mm inside the rim of "

@@ -85,12 +85,17 @@ def keep(cable, solution: Solution):
         )
         setattr(cable, name, rows)
     cable.NodeOfSupport = list(solution.support_nodes)
+    cable.Proxy.solution = solution
 
 
 def kept(cable, scene: Scene) -> Solution | None:
-    """The stored nodes as a solution of ``scene``, or None if there are none."""
+    """The last solution; where only its nodes are known, from a file or undone, these as one of ``scene``. None if
+    there are none."""
     if not cable.NodePosition:
         return None
+    arrays, last = _arrays(cable), cable.Proxy.solution
+    if last is not None and np.array_equal(last.position, arrays["position"]):
+        return last
     status = Status.CONVERGED
     loads = zip(cable.SupportForces, cable.SupportMoments, strict=True)
     reactions = [Load(np.array(force), np.array(moment)) for force, moment in loads]
@@ -108,7 +113,7 @@ def kept(cable, scene: Scene) -> Solution | None:
         min_clearance=to_si("length", cable.SmallestClearance),
         support_nodes=tuple(cable.NodeOfSupport),
         support_reactions=tuple(reactions),
-        **_arrays(cable),
+        **arrays,
     )
 
 

@@ -74,6 +74,7 @@ def solution(problem, trial) -> Solution:
         formed=formed,
         contacts=contacts,
         min_clearance=_clearance(problem, shape),
+        anew=problem.anew,
         stable=trial.stable,
         position_error=trial.error * length,
         balance=check,

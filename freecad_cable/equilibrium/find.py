@@ -6,10 +6,7 @@ import threading
 from collections.abc import Callable
 from functools import partial
 
-import numpy as np
-
 from ..errors import ProblemError, SolverMissingError
-from ..geometry import rotation
 from ..problem import Mesh, Scene
 from ..problem.reach import stations
 from ..problem.reduce import reduce, tautness
@@ -17,6 +14,7 @@ from ..result import Solution, is_near
 from ..status import Status
 from . import stretches
 from .answer import effort, solution
+from .earlier import by_steps, nodes, pull
 from .length_design import shortest
 
 NO_SLACK = 1e-7
@@ -71,20 +69,22 @@ def _found(scene, start, watch, apart):
     return _in_one_piece(scene, start, watch, apart)
 
 
-def _in_one_piece(scene, start, watch, apart):
-    problem = _problem(scene, watch, _pull(start))
+def _in_one_piece(scene, start, watch, apart, anew=False):
+    problem = _problem(scene, watch, pull(start))
     if isinstance(problem, Solution):
         return problem
-    problem.parts = apart
+    problem.parts, problem.anew = apart, anew
     if start is not None and _entered(start, scene) and is_near(start, scene, A_STEP):
         # What was not to be found beside the rims of rings is not looked for at each step of a drag.
         problem.surroundings = problem.surroundings.without_rims()
     from ..solve.effects import find
+    from ..solve.passing import passed_through
     from ..solve.problem import TimeUpError
     from ..solve.refining import finer
 
+    warm = nodes(start, problem)
     try:
-        trial = find(problem, None if start is None else _nodes(start, problem))
+        trial = find(problem, warm, lambda: by_steps(problem, start))
     except TimeUpError:
         message = f"{Status.TIME_LIMIT.value} It is {scene.options.time_limit:g} s."
         return Solution(scene=scene, status=Status.TIME_LIMIT, message=message)
@@ -98,12 +98,14 @@ def _in_one_piece(scene, start, watch, apart):
     found = solution(problem, trial)
     if trial.error <= scene.options.tolerance and not found.status.success:
         # The checks put splines through the nodes, and may need more of these than the answer.
-        trial = finer(problem, trial)
-        found = solution(problem, trial)
+        better = finer(problem, trial)
+        if not passed_through(problem.surroundings, trial.shape, better.shape):
+            trial = better
+            found = solution(problem, trial)
     if start is not None and not found.status.success:
         # From there it may have come to a place from which there is no way on.
-        anew = _in_one_piece(scene, None, watch, apart)
-        return anew if anew.status.success else found
+        other = _in_one_piece(scene, None, watch, apart, anew=warm is not None)
+        return other if other.status.success else found
     return found
 
 
@@ -126,13 +128,6 @@ def find_equilibria(scene: Scene) -> list[Solution]:
         from ..solve.branches import find_all
 
         return [solution(problem, trial) for trial in find_all(problem)]
-
-
-def _pull(start) -> float:
-    """Largest force in an earlier solution [N]."""
-    if start is None or start.force is None:
-        return 0.0
-    return float(np.linalg.norm(start.force, axis=1).max())
 
 
 def _problem(scene, watch=None, pull=0.0):
@@ -200,53 +195,3 @@ def _advice_among(scene):
         "It may be too short to get past the obstacles, or have no way between them: try it longer, or with some of "
         "them left out."
     )
-
-
-def _nodes(solution, problem):
-    """The nodes of an earlier solution, without units, as a start for this one; None if it is too far."""
-    from ..transcription.shape import Joint, Shape
-
-    scene, scaling = problem.scene, problem.scaling
-    if solution.position is None or not is_near(solution, scene):
-        return None
-    span = solution.arc_length[-1]
-
-    def strain(curvature):
-        return np.concatenate([curvature * span, np.zeros_like(curvature)], axis=-1)
-
-    joints = []
-    for node, load in zip(solution.support_nodes, solution.support_reactions, strict=True):
-        frame = rotation.matrix(solution.quaternion[node])
-        moment = frame.T @ (solution.moment[node] - load.moment)
-        beyond = scene.rod.natural_curvature + moment / scene.rod.stiffness
-        force, turning = load.force / scaling.force, load.moment / scaling.energy
-        joints.append(Joint(node, strain(beyond), force, turning))
-    return Shape(
-        _arc_lengths(solution, scene),
-        scaling.point(solution.position),
-        rotation.continuous(solution.quaternion),
-        strain(solution.curvature),
-        solution.force / scaling.force,
-        solution.moment / scaling.energy,
-        tuple(joints),
-        _contact_error(solution),
-    )
-
-
-def _contact_error(solution):
-    """Relative error estimate of an earlier solution in contact."""
-    if not solution.contacts:
-        return None
-    return solution.position_error / solution.arc_length[-1]
-
-
-def _arc_lengths(solution, scene):
-    """Those of the nodes of an earlier solution, relative to the length, with those of the supports where they are
-    given now."""
-    before = solution.arc_length / solution.arc_length[-1]
-    given = [
-        (before[node], support.arc_length / scene.rod.length)
-        for node, support in zip(solution.support_nodes, scene.supports, strict=True)
-        if not support.slides
-    ]
-    return np.interp(before, *np.transpose([(0.0, 0.0), *given, (1.0, 1.0)]))

@@ -86,7 +86,7 @@ def shortest(scene: Scene, solve) -> Solution:
     else:
         high = _tried(end, "longest")
     message = f"{first.solution.message} {low.sentence} {high.sentence}"
-    return replace(first.solution, message=message, feasible_lengths=(low, high))
+    return replace(first.solution, message=message, feasible_lengths=(low, high), anew=False)
 
 
 def _skipped(two):

@@ -31,7 +31,7 @@ def solved(scene: Scene, solve, start: Solution | None) -> Solution:
         before = [None] * len(scenes)
     for part, earlier in zip(scenes, before, strict=True):
         if earlier is not None and earlier.status.success and _same(part, earlier.scene):
-            found.append(earlier)
+            found.append(replace(earlier, anew=False))
             kept += 1
         else:
             found.append(solve(part, start=earlier))
@@ -157,6 +157,7 @@ def _joined(scene, parts, kept) -> Solution:
             for contact in part.contacts
         ),
         min_clearance=min(clearances, default=None),
+        anew=any(part.anew for part in parts),
         stable=all(part.stable for part in parts),
         position_error=max(part.position_error for part in parts),
         balance=Balance(

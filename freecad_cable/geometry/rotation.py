@@ -92,6 +92,12 @@ def logarithm(q):
     return q[..., 1:] * 2 / np.sinc(half / np.pi)
 
 
+def between(a, b, share):
+    """Frames (..., 4) a ``share`` (...) of the least turn from the frames a to the frames b (..., 4)."""
+    turn = logarithm(multiply(conjugate(a), b))
+    return multiply(a, exponential(np.asarray(share)[..., None] * turn))
+
+
 def from_tangent(t):
     """A quaternion (4,) whose d3 is the unit vector t (3,); its roll is arbitrary but deterministic."""
     return shortest_arc((0.0, 0.0, 1.0), t)

@@ -116,6 +116,9 @@ class Solution:
     contacts: tuple[Contact, ...] = ()
     min_clearance: float | None = None
     """smallest distance between the surfaces of the cable and of the obstacles in its reach [m]; None without any"""
+    anew: bool = False
+    """whether no equilibrium was found that the solution before becomes, though that was near: this one may have a turn
+    more, or be on another side of an obstacle"""
     stable: bool | None = None
     """whether the second variation of the energy is positive; None if not known"""
     position_error: float | None = None

@@ -15,6 +15,7 @@ from ..transcription.shape import Shape
 from . import mesh, strong_form, touching
 from .detours import detours
 from .gathering import APART, FIRST, MESHES, compared, gathered
+from .passing import passed_through
 from .problem import Problem, TimeUpError
 from .saddle import descended
 from .settling import settled
@@ -117,6 +118,8 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
     """The equilibrium from an earlier one in contact or near it; None if there is none near."""
     problem.formed = problem.scene.enforce_bend_radius
     found = _resumed(problem, warm)
+    if found is not None and passed_through(problem.surroundings, warm, found.shape):
+        found = None
     problem.formed = problem.formed and found is not None
     return found
 

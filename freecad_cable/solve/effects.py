@@ -19,9 +19,9 @@ SAFETY = 10.0
 slack s by about 0.3 δ/√s (a parabola), at most 3 δ where this is tried, and other soft directions get as much again."""
 
 
-def find(problem: Problem, warm=None) -> Trial | None:
+def find(problem: Problem, *start) -> Trial | None:
     """As ``search.find``, with as little of the model as the tolerance allows."""
-    trial = search.find(problem, warm)
+    trial = search.find(problem, *start)
     if not problem.model.tried:
         return trial
     if trial is not None:
@@ -32,7 +32,7 @@ def find(problem: Problem, warm=None) -> Trial | None:
             problem.model = replace(problem.model, left_out=(*problem.model.left_out, sentence))
             return trial
     problem.model = reduce(problem.scene, rigid=False)
-    return search.find(problem, warm)
+    return search.find(problem, *start)
 
 
 def _moved(problem, trial) -> float:

@@ -59,9 +59,8 @@ def _moved(support, position, quaternion, share):
     """A support on its way from a node of the free cable, a ``share`` of it done."""
     place = (1 - share) * position + share * support.position
     if isinstance(support, Clamp):
-        turn = rotation.multiply(rotation.conjugate(quaternion), support.quaternion)
-        turned = rotation.exponential(share * rotation.logarithm(turn))
-        return replace(support, position=place, quaternion=rotation.multiply(quaternion, turned))
+        turned = rotation.between(quaternion, support.quaternion, share)
+        return replace(support, position=place, quaternion=turned)
     name = "axis" if isinstance(support, Ring) else "tangent"
     before = rotation.tangent(quaternion)
     whole = rotation.logarithm(rotation.shortest_arc(before, getattr(support, name)))

@@ -65,6 +65,8 @@ class Problem:
     """called before each run of a solver; see ``find_equilibrium``"""
     apart: bool = field(default=False)
     """whether the cable is kept from running through itself; first it is solved as if it need not"""
+    anew: bool = field(default=False)
+    """whether an earlier solution was to be followed, and could not be"""
     parts: bool = field(default=True)
     """whether a cable that runs through itself is brought apart from itself"""
     formed: bool = field(default=False)
@@ -80,10 +82,10 @@ class Problem:
         scaling = scaling.pulled(max(pulls, default=0.0)).fit_for(pull)
         return cls(scene, model, scaling, layered, deadline, watch=watch)
 
-    def eased(self, scene: Scene) -> "Problem":
+    def eased(self, scene: Scene, pull=0.0) -> "Problem":
         """That of an easier scene with the same model, within the time of this one, and what it takes counted here."""
-        other = Problem.of(scene, self.model, self.watch)
-        return replace(other, deadline=self.deadline, effort=self.effort)
+        other = Problem.of(scene, self.model, self.watch, pull)
+        return replace(other, deadline=self.deadline, effort=self.effort, parts=self.parts)
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:

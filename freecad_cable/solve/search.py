@@ -47,12 +47,14 @@ DOUBTFUL_ROLL = 2.0
 """Twist [rad] of a guess beyond which the other way round may cost less (at π they are alike)."""
 
 
-def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
-    """A stable equilibrium to the tolerance asked for, or the best that was found, or None."""
+def find(problem: Problem, warm: Shape | None = None, by_steps=lambda: None) -> Trial | None:
+    """A stable equilibrium to the tolerance asked for, or the best that was found, or None. ``by_steps()`` is what is
+    found among obstacles from where ``warm`` comes from, if it is not from there at once."""
     if warm is not None and (warm.error is not None or problem.surroundings.obstacles):
-        found = _undisturbed(problem, warm) or contact.resumed(problem, warm)
+        found = followed(problem, warm) or by_steps()
         if found is not None:
             return found
+        problem.anew = True
     found = _through_itself(problem, warm)
     if problem.surroundings.obstacles and not _rests(problem, found):
         try:
@@ -61,6 +63,11 @@ def find(problem: Problem, warm: Shape | None = None) -> Trial | None:
             if found is None:
                 raise
     return None if found is None else apart(problem, found)
+
+
+def followed(problem: Problem, warm: Shape) -> Trial | None:
+    """The equilibrium among obstacles that one near it has become; None if there is none near."""
+    return _undisturbed(problem, warm) or contact.resumed(problem, warm)
 
 
 def _from_easier(problem):
@@ -139,6 +146,7 @@ def _free(problem, warm):
     """As if there were no obstacles."""
     found = None if warm is None else _followed(problem, warm)
     if found is None:
+        problem.anew |= warm is not None
         for trial in _attempts(problem, _first_mesh(problem)):
             trial = off_saddle(problem, trial)
             if found is None or _better(trial, found):

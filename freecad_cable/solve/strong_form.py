@@ -59,7 +59,8 @@ def correction(shape, values, structure) -> np.ndarray:
 def defect(shape, values, structure, elements) -> float:
     """By how much some ``elements`` (n,) of a shape miss the equations in sum, without units."""
     _, (_, defects) = _over(_law(values, structure)[1], shape.parts())
-    return float(np.linalg.norm(defects[elements, :6], axis=1).sum())
+    # Of a shape that is no rod they are so large that their squares are no numbers.
+    return float(np.hypot.reduce(defects[elements, :6], axis=1).sum())
 
 
 def _law(values, structure):

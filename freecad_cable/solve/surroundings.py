@@ -42,14 +42,15 @@ they are more than so many radii of the cable apart."""
 class Surroundings:
     """The obstacles that a scene's cable may touch."""
 
-    def __init__(self, scene: Scene, scaling: Scaling, rims=True):
-        """``rims``: whether the rims of rings are obstacles, too."""
+    def __init__(self, scene: Scene, scaling: Scaling, rims=True, within=in_reach):
+        """``rims``: whether the rims of rings are obstacles, too. ``within``: which obstacles it has, see
+        ``problem.surroundings``."""
         self.scene, self.scaling, self.rims = scene, scaling, rims
         self.strict = self
         """the same with the rims of rings"""
         self.radius = scene.rod.radius / scaling.length
         self.keep = self.radius + scene.clearance / scaling.length
-        self.indices = np.flatnonzero(in_reach(scene, scene.obstacles))
+        self.indices = np.flatnonzero(within(scene, scene.obstacles))
         self.obstacles = [scene.obstacles[i] for i in self.indices]
         bounds = np.array([each.bounds for each in self.obstacles]).reshape(-1, 2, 3)
         self._seen = WeakKeyDictionary()
@@ -70,6 +71,13 @@ class Surroundings:
         if not self.scene.clearance:
             return self
         return Surroundings(replace(self.scene, clearance=0.0), self.scaling, self.rims)
+
+    @cached_property
+    def whole(self) -> "Surroundings":
+        """The same with what is out of reach."""
+        if len(self.obstacles) == len(self.scene.obstacles):
+            return self
+        return Surroundings(self.scene, self.scaling, self.rims, lambda _, all_: np.ones(len(all_)))
 
     @cached_property
     def holes(self) -> list[tuple[int, int, Bore]]:

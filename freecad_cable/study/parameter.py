@@ -196,9 +196,7 @@ class Parameter:
         share = value - k
         changes = {"position": (1 - share) * self.positions[k] + share * self.positions[k + 1]}
         if self.quaternions is not None:
-            a, b = self.quaternions[k : k + 2]
-            step = rotation.logarithm(rotation.multiply(rotation.conjugate(a), b))
-            frame = rotation.multiply(a, rotation.exponential(share * step))
+            frame = rotation.between(*self.quaternions[k : k + 2], share)
             changes |= {"quaternion": frame, "tangent": rotation.tangent(frame)}
         known = {each.name for each in fields(thing)}
         return replace(thing, **{name: new for name, new in changes.items() if name in known})

@@ -193,9 +193,7 @@ class Shape:
 
         # Frames along the turn between neighbouring nodes, positions along the cubic: linear ones would be shorter.
         k, share = self.elements_at(arc_length)
-        a, b = self.quaternion[k], self.quaternion[k + 1]
-        turn = rotation.logarithm(rotation.multiply(rotation.conjugate(a), b))
-        quaternion = rotation.multiply(a, rotation.exponential(share[:, None] * turn))
+        quaternion = rotation.between(self.quaternion[k], self.quaternion[k + 1], share)
         return Shape(
             arc_length,
             self.cubic(k, share)[0],

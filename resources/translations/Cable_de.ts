@@ -1548,6 +1548,10 @@
       <translation>Face{1} von {2}</translation>
     </message>
     <message>
+      <source>Found anew: no equilibrium was found that the last shape becomes</source>
+      <translation>Neu gefunden: es wurde kein Gleichgewicht gefunden, in das die letzte Form übergeht</translation>
+    </message>
+    <message>
       <source>From {1} mm to {2} mm it keeps its bend radius only if it is formed there, with a moment of {3} N m</source>
       <translation>Von {1} mm bis {2} mm hält es seinen Biegeradius nur ein, wenn es dort geformt wird, mit einem Moment von {3} N m</translation>
     </message>
@@ -2194,6 +2198,10 @@
     <message>
       <source>it does not act, the cable would be the same without it (exact)</source>
       <translation>wirkt nicht, das Kabel wäre ohne sie dasselbe (exakt)</translation>
+    </message>
+    <message>
+      <source>it does not lie as before: no equilibrium was found that its last shape becomes, and it may be too short to stay where it was. This one may be on another side of an obstacle, or have a turn more; look at it, or undo the change</source>
+      <translation>es liegt nicht wie zuvor: Es wurde kein Gleichgewicht gefunden, in das seine letzte Form übergeht, und es ist vielleicht zu kurz, um zu bleiben, wo es war. Dieses liegt vielleicht auf einer anderen Seite eines Hindernisses oder hat eine Umdrehung mehr; sehen Sie es an oder machen Sie die Änderung rückgängig</translation>
     </message>
     <message>
       <source>it holds with the least margin</source>

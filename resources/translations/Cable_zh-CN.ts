@@ -1548,6 +1548,10 @@
       <translation>{2} 的 Face{1}</translation>
     </message>
     <message>
+      <source>Found anew: no equilibrium was found that the last shape becomes</source>
+      <translation>重新求得：未找到由上一形状演变而来的平衡</translation>
+    </message>
+    <message>
       <source>From {1} mm to {2} mm it keeps its bend radius only if it is formed there, with a moment of {3} N m</source>
       <translation>从 {1} mm 到 {2} mm，只有在该处以 {3} N m 的力矩成形，才能满足弯曲半径</translation>
     </message>
@@ -2194,6 +2198,10 @@
     <message>
       <source>it does not act, the cable would be the same without it (exact)</source>
       <translation>不起作用，没有它线缆也一样（精确）</translation>
+    </message>
+    <message>
+      <source>it does not lie as before: no equilibrium was found that its last shape becomes, and it may be too short to stay where it was. This one may be on another side of an obstacle, or have a turn more; look at it, or undo the change</source>
+      <translation>它不再像之前那样放置：未找到由其上一形状演变而来的平衡，它可能太短而无法留在原处。当前形状可能位于障碍物的另一侧，或多出一圈；请查看，或撤销更改</translation>
     </message>
     <message>
       <source>it holds with the least margin</source>

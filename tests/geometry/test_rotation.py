@@ -57,3 +57,12 @@ def test_transport_turns_as_little_as_it_must():
     # In a plane a frame carried once round comes back as it was, but for the sign of its quaternion.
     assert abs(frames[0] @ frames[-1]) == pytest.approx(1, abs=1e-12)
     assert (np.sum(frames[1:] * frames[:-1], axis=1) > 0).all()
+
+
+def test_between_frames_goes_the_short_way():
+    a = rotation.exponential([[0, 0, 0], [0, 0, 0.2]])
+    b = rotation.exponential([[0, 0, 1.0], [0, 0, 0.2]])
+    there = rotation.between(a, -b, [0.25, 0.5])
+    assert np.abs(there[0] @ rotation.exponential([0, 0, 0.25])) == pytest.approx(1, abs=ROUNDING)
+    assert np.abs(there[1] @ a[1]) == pytest.approx(1, abs=ROUNDING)
+    assert rotation.between(a[0], b[0], 1.0) == pytest.approx(b[0], abs=ROUNDING)
