@@ -103,6 +103,9 @@ TABLE = tuple(
     )
 )
 
+ITSELF = "the cable itself"
+"""Among the obstacles that it touches."""
+
 ANEW = "Found anew: no equilibrium was found that the last shape becomes"
 """Among what the model used."""
 
@@ -164,6 +167,7 @@ def write_status(cable, scene):
             f"Warning: its smallest clearance is {cable.SmallestClearance.Value:.3g} mm where "
             f"{cable.Clearance.Value:.4g} mm is asked for: what holds the cable there leaves it no more room."
         )
+    sentences += _pushed_clear(cable)
     if abs(cable.Twist.Value) > MUCH_TWIST and not any(map(_is_turned, (cable.Start, cable.End))):
         sentences.append(_twisted(cable))
     # Enforced, it may lack what the mesh leaves between nodes.
@@ -175,6 +179,21 @@ def write_status(cable, scene):
 def _falls_short(cable, radius):
     short = cable.Clearance.Value - cable.SmallestClearance.Value
     return cable.Clearance.Value > 0 and short > ROUGHLY * from_si("length", radius)
+
+
+def _pushed_clear(cable):
+    if not cable.Clearance.Value:
+        return
+    for force, place, obstacle in zip(
+        cable.ContactForces, cable.ContactPlaces, cable.ContactObstacles, strict=True
+    ):
+        if obstacle != ITSELF:
+            yield (
+                f"Warning: it keeps clear of {obstacle} at {place:.4g} mm from the start only because it is pushed "
+                f"away with {force.Length:.3g} N, and nothing there does that: it would come nearer. Hold it there, or "
+                "change its length."
+            )
+            return
 
 
 def _is_turned(terminal):
@@ -219,7 +238,7 @@ def _write_contacts(cable, solution):
     cable.ContactForces = [Vector(*contact.force.tolist()) for contact in contacts]
     cable.ContactPlaces = [from_si("length", contact.arc_length) for contact in contacts]
     cable.ContactObstacles = [
-        "the cable itself"
+        ITSELF
         if contact.obstacle is None
         else obstacles[contact.obstacle].place.removeprefix(OBSTACLE)
         for contact in contacts

@@ -57,12 +57,16 @@ def run(study, executor=None):
         _fail(study, str(error))
     except FreeCAD.Base.FreeCADAbort:
         _fail(study, f"{study.Label} was stopped; the document is as it was.")
-    study.purgeTouched()
+    except Exception as error:
+        # Of an executor, say: it goes on to whoever brought that, and no earlier answer passes as one of this run.
+        study.Proxy.forget(study, f"{study.Label}: {type(error).__name__}: {error}")
+        raise
+    finally:
+        study.purgeTouched()
 
 
 def _fail(study, sentence):
     study.Proxy.forget(study, sentence)
-    study.purgeTouched()
     raise DocumentError(sentence) from None
 
 

@@ -165,9 +165,7 @@ def _judged(scene, solution) -> Sample:
                 f"it bends to {radius:.4g} m at {place:.4g} m, and {rod.min_bend_radius:.4g} m is the limit",
             )
         )
-    with_obstacles = [c for c in solution.contacts if c.obstacle is not None]
-    if scene.clearance > 0 and with_obstacles:
-        first = with_obstacles[0]
+    if (first := solution.pushed_clear) is not None:
         place = scene.obstacles[first.obstacle].place
         found.append(
             (

@@ -153,6 +153,13 @@ class Solution:
         return margin is not None and margin < -ENFORCED * self.scene.rod.min_bend_radius
 
     @property
+    def pushed_clear(self) -> Contact | None:
+        """The first place at which an obstacle pushes a cable that is asked to keep clear of it: by itself it does not.
+        None if there is none."""
+        pushed = (each for each in self.contacts if each.obstacle is not None)
+        return next(pushed, None) if self.scene.clearance > 0 else None
+
+    @property
     def twist(self) -> float | None:
         """Angle by which the rod is twisted from its start to its end, beyond what it is by nature [rad]; None if
         nothing was found."""

@@ -84,8 +84,7 @@ def _complaint(solution) -> str | None:
     if solution.bends_too_sharply:
         radius, place = solution.min_bend_radius
         return f"It bends to {radius:.4g} m at {place:.4g} m; the limit is {scene.rod.min_bend_radius:.4g} m."
-    if scene.clearance > 0 and solution.contacts:
-        first = solution.contacts[0]
+    if (first := solution.pushed_clear) is not None:
         return (
             f"It must be pushed from {scene.obstacles[first.obstacle].place} at {first.arc_length:.4g} m to keep "
             f"{scene.clearance:.4g} m clear."

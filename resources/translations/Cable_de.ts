@@ -2220,6 +2220,10 @@
       <translation>es ist um {1}° verdrillt, weil {2} und {3} Clamped sind, so gedreht, wie die Geometrie ihrer Teile gerade liegt; Swivel wählen, wenn sich das Kabel beim Einbau drehen kann, oder Roll setzen</translation>
     </message>
     <message>
+      <source>it keeps clear of {1} at {2} mm from the start only because it is pushed away with {3} N, and nothing there does that: it would come nearer. Hold it there, or change its length</source>
+      <translation>es bleibt bei {2} mm vom Anfang nur deshalb frei von {1}, weil es mit {3} N weggedrückt wird, und nichts dort tut das: Es käme näher. Halten Sie es dort oder ändern Sie seine Länge</translation>
+    </message>
+    <message>
       <source>it must be pushed from {1} at {2} to keep {3} clear</source>
       <translation>es muss bei {2} von {1} weggedrückt werden, um {3} Freiraum zu halten</translation>
     </message>

@@ -2220,6 +2220,10 @@
       <translation>它扭转了 {1}°，因为 {2} 和 {3} 为 Clamped，其转角由零件几何偶然决定；若线缆在安装时可以转动，请选择 Swivel，或设置 Roll</translation>
     </message>
     <message>
+      <source>it keeps clear of {1} at {2} mm from the start only because it is pushed away with {3} N, and nothing there does that: it would come nearer. Hold it there, or change its length</source>
+      <translation>它在距起点 {2} mm 处与 {1} 保持间隙，只是因为被 {3} N 的力推开，而那里没有任何东西施加这个力：它会更靠近。请在该处固定它，或更改其长度</translation>
+    </message>
+    <message>
       <source>it must be pushed from {1} at {2} to keep {3} clear</source>
       <translation>为保持 {3} 的间隙，必须在 {2} 处将它从{1}推开</translation>
     </message>

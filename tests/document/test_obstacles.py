@@ -180,6 +180,25 @@ class FindingTest(ObstacleTest):
             said = "its smallest clearance is 0.42 mm where 3 mm is asked for"
             self.assertEqual(said in self.cable.Status, falls_short)
 
+    def test_what_keeps_it_clear_is_said(self):
+        """An obstacle that the cable does not touch pushes nothing."""
+        top = 1e3 * max(self.cable.NodePosition, key=lambda place: place[2])
+        self.block.Placement.Base = top - Vector(4, 4, 0)
+        self.cable.Obstacles = self.block
+        said = "only because it is pushed away"
+        self.compute()
+        self.assertEqual(self.cable.ContactObstacles, ["Block"])
+        self.assertNotIn(said, self.cable.Status)
+        self.cable.Clearance = "2 mm"
+        self.compute()
+        self.assertIn(
+            f"keeps clear of Block at {self.cable.ContactPlaces[0]:.4g} mm", self.cable.Status
+        )
+        self.assertIn(said, self.cable.Status)
+        self.block.Placement.Base.z = 150
+        self.compute()
+        self.assertNotIn(said, self.cable.Status)
+
     def test_make(self):
         cable = make.cable(
             self.doc,

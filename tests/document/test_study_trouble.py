@@ -54,6 +54,18 @@ class TestTrouble(StudyTest):
         huge = self.study(varied="Length", values=[1e300, 1e301])
         self.refused(huge, "Cable, Length: is 1e.300 mm; it must be")
 
+    def test_an_executor_that_breaks_down(self):
+        """What the study said before is not what it says of this run."""
+        study = self.study(kind="Random", cases=2, length_tolerance=True)
+        studying.run(study)
+        self.assertTrue(study.Share)
+        broken = mock.Mock(**{"submit.side_effect": RuntimeError("no workers")})
+        with self.assertRaisesRegex(RuntimeError, "no workers"):
+            studying.run(study, executor=broken)
+        self.assertEqual(study.Status, "Study: RuntimeError: no workers")
+        self.assertEqual(study.Share, 0)
+        self.assertTrue(study.Shape.isNull())
+
     def test_cases_that_are_none(self):
         ring = make.ring(self.doc, self.plate("Plate", (60, 20, 60), (1, 0, 0)), position="150 mm")
         self.cable.Supports = [ring]

@@ -11,7 +11,8 @@ from scenes import table_1
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.errors import ProblemError
-from freecad_cable.problem import Free, Pinned, Swivel
+from freecad_cable.problem import Free, Pinned, Sphere, Swivel
+from freecad_cable.result import Contact
 from freecad_cable.study import (
     Parameter,
     Row,
@@ -194,3 +195,18 @@ def test_the_verdict():
 def test_what_is_no_tolerance(make, sentence):
     with pytest.raises(ProblemError, match=sentence):
         make()
+
+
+def test_what_pushes_a_cable_clear_of_it_makes_a_case_not_hold():
+    """A cable that touches itself need not be clear of that."""
+    ball = Sphere([0.0, 0.0, -1.0], 0.1, place="obstacles[0]")
+    scene = replace(table_1(), obstacles=(ball,), clearance=0.01)
+    alone = find_equilibrium(scene)
+    itself, by_ball = (Contact(0.3, index, np.array([0, 0, 1.0])) for index in (None, 0))
+    for contacts, holds in (((), True), ((itself,), True), ((itself, by_ball), False)):
+        row = Row.of((), replace(alone, contacts=contacts))
+        assert row.holds == holds
+    assert "pushed from obstacles[0] at 0.3 m" in row.error
+    assert Row.of(
+        (), replace(alone, scene=replace(scene, clearance=0.0), contacts=(by_ball,))
+    ).holds
