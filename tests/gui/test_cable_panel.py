@@ -206,6 +206,22 @@ class CablePanelTest(WindowTest):
         self.wait_for(lambda: not self.is_open())
         self.pump(0.5)
 
+    def test_the_panel_is_closed_without_the_buttons(self):
+        """As by a macro; what is said afterwards goes to no widget that is gone."""
+        self.open_panel(self.cable)
+        panel = self.cable.ViewObject.Proxy.panel
+        self.cable.Length = "310 mm"
+        with mock.patch("sys.excepthook") as failed:
+            FreeCADGui.Control.closeDialog()
+            self.pump(0.5)
+            self.rest()
+        self.assertFalse(failed.called)
+        self.assertFalse(panel.is_open)
+        self.assertFalse(self.document.HasPendingTransaction)
+        self.assertEqual(self.document.UndoCount, self.steps + 1)
+        self.assertEqual(self.cable.SolvedLength.Value, 310)
+        self.assertIsNone(FreeCADGui.ActiveDocument.getInEdit())
+
     def test_editing_is_ended_without_the_buttons(self):
         self.open_panel(self.cable)
         self.widget("Length").setProperty("rawValue", 320.0)

@@ -42,6 +42,7 @@ class Panel(QtCore.QObject):
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(obj.Label)
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
+        self.form.destroyed.connect(self._closed)
         self._layout = QtGui.QVBoxLayout(self.form)
         self.rows = QtGui.QFormLayout()
         self._layout.addLayout(self.rows)
@@ -122,6 +123,13 @@ class Panel(QtCore.QObject):
         self.document.recompute()
         self._release()
         self.document.commitTransaction()
+
+    def _closed(self):
+        """Without the buttons: by a macro or another command, or with the document."""
+        if self.is_open:
+            self.is_open = False  # its widgets are gone
+            ours = solving.key(self.object)
+            QtCore.QTimer.singleShot(0, lambda: self.accept() if alive(ours) else self._release())
 
     # Observer of the documents.
 
