@@ -9,6 +9,8 @@ LEAF = 8
 """Most things in a leaf."""
 ALONE = 12
 """Most things of which to ask each is quicker than any tree: a box has so many triangles."""
+MANY = 6
+"""Nodes that are left of a level for a point, from which it is worth while to bound what the next leaves."""
 MOST_PAIRS = 1 << 17
 """Bound on pairs of point and node held at a time, for memory."""
 
@@ -56,11 +58,16 @@ class BoxTree:
         for low, high in self._levels:
             gap = to_boxes(points, low[node], high[node])
             node = BRANCHES * node + gap.argmin(axis=1)
-        # Some leaf near the point gives a bound; then every leaf that may hold a thing within it is looked into.
+        # Some leaf near the point gives a bound; then every leaf that may hold a thing within it is looked into. Of a
+        # point deep inside, where leaves are near on all sides, the boxes on the way down give better ones.
         bound = self._bound(points, node, squared)
         who, node = np.arange(len(points)), np.zeros(len(points), int)
         for low, high in self._levels:
             gap = to_boxes(points[who], low[node], high[node])
+            if len(who) > MANY * len(points):
+                within = surely_within(points[who], low[node], high[node]).min(axis=1)
+                within = np.minimum.reduceat(within, _firsts(who))
+                bound = np.minimum(bound, self._widened(points, within))
             pair, branch = np.nonzero(gap <= bound[who, None])
             who, node = who[pair], BRANCHES * node[pair] + branch
             if len(who) > MOST_PAIRS and len(points) > 1:
@@ -76,9 +83,11 @@ class BoxTree:
 
     def _bound(self, points, leaves, squared):
         """Squared distances (m,) to the nearest in one leaf each, wide enough for rounding."""
-        distance, _ = self._in_leaves(points, leaves, squared)
+        return self._widened(points, self._in_leaves(points, leaves, squared)[0])
+
+    def _widened(self, points, squared):
         rounding = 1e-13 * (self._size + np.abs(points).max(initial=0.0))
-        return (np.sqrt(distance) + rounding) ** 2
+        return (np.sqrt(squared) + rounding) ** 2
 
     def _in_leaves(self, points, leaves, squared):
         """The least squared distance (p,) to the things in one leaf each, and which thing (p,) has it."""
@@ -107,6 +116,16 @@ def to_boxes(points, low, high):
     return np.einsum("pbi,pbi->pb", gap, gap)
 
 
+def surely_within(points, low, high):
+    """Squared distances (p, b) within which something of what is in each of b boxes (p, b, 3) is, as every side of a
+    hull touches something: the nearer side along one axis, at most the farther along the others (Roussopoulos, Kelley,
+    Vincent, "Nearest neighbor queries", SIGMOD 1995)."""
+    points = points[:, None, :]
+    low, high = (low - points) ** 2, (high - points) ** 2
+    near, far = np.minimum(low, high), np.maximum(low, high)
+    return far.sum(axis=2) - (far - near).max(axis=2)
+
+
 def _drums(corners, axes):
     """Centre (l, 3), axis (l, 3), half height (l,) and radius (l,) of cylinders around l leaves with all their corners
     (l, c, 3) and the axes (l, a, 3) of their things."""
@@ -121,6 +140,11 @@ def _drums(corners, axes):
 
 def _least(who, values):
     """Of values (p,) in runs of equal ``who`` (p,): the place of the first least one in every run."""
-    first = np.flatnonzero(np.diff(who, prepend=-1))
+    first = _firsts(who)
     least = np.flatnonzero(values == np.minimum.reduceat(values, first)[who])
     return least[np.diff(who[least], prepend=-1) > 0]
+
+
+def _firsts(who):
+    """Where runs of equal ``who`` (p,) begin."""
+    return np.flatnonzero(np.diff(who, prepend=-1))

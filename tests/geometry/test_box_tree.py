@@ -53,6 +53,24 @@ def test_slanted_things_are_told_apart(random):
     assert sum(looked_at) < 100 * 5 * 40
 
 
+def test_few_are_looked_at_from_inside(random):
+    """Of a point that things surround, as of one inside a solid, the box that seems nearest at first is no bound."""
+    start = random.uniform(size=(40_000, 3))
+    face = random.integers(3, size=len(start))
+    start[np.arange(len(start)), face] = np.round(start[np.arange(len(start)), face])
+    span = random.normal(size=start.shape) * 1e-3
+    looked_at = []
+
+    def counted(points, things):
+        looked_at.append(len(things))
+        return _between(start, span)(points, things)
+
+    points = random.uniform(0.2, 0.8, size=(100, 3))
+    _tree(start, span).nearest(points, counted)
+    # Some 8; without bounds from the boxes on the way down, 80 to 400.
+    assert sum(looked_at) < 100 * 20
+
+
 def test_all_at_one_distance_are_searched_in_parts(random, monkeypatch):
     direction = random.normal(size=(3000, 3))
     start = direction / norm(direction, axis=1)[:, None]
