@@ -6,13 +6,15 @@ Arrays in SI units, as the core has them, so that they come back bit by bit.
 """
 
 import hashlib
-from dataclasses import fields, is_dataclass
+from dataclasses import fields, is_dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 from FreeCAD import Vector
 
-from ..problem import End, Mesh, Obstacle, Scene, Support
+from ..errors import ProblemError
+from ..geometry import rotation
+from ..problem import End, Mesh, Obstacle, Ring, Scene, Support
 from ..result import Contact, Load, Solution
 from ..shape.nodes import Nodes
 from ..shape.units import to_si, vector_to_si
@@ -105,7 +107,7 @@ def kept(cable, scene: Scene) -> Solution | None:
     pushes = zip(cable.ContactPlaces, cable.ContactForces, strict=True)
     contacts = [Contact(to_si("length", at), None, np.array(force)) for at, force in pushes]
     return Solution(
-        scene=scene,
+        scene=_before(scene, cable.NodeOfSupport, arrays),
         status=status,
         message=status.value,
         contacts=tuple(contacts),
@@ -115,6 +117,37 @@ def kept(cable, scene: Scene) -> Solution | None:
         support_reactions=tuple(reactions),
         **arrays,
     )
+
+
+def _before(scene, support_nodes, arrays):
+    """The scene, but held where the stored nodes are, as far as they tell."""
+    if len(support_nodes) != len(scene.supports):
+        return scene
+
+    def there(holder, node):
+        if isinstance(holder, Ring):
+            return holder
+        quaternion = arrays["quaternion"][node]
+        places = {
+            "position": arrays["position"][node],
+            "quaternion": quaternion,
+            "tangent": rotation.tangent(quaternion),
+        }
+        if getattr(holder, "arc_length", None) is not None:
+            places["arc_length"] = float(arrays["arc_length"][node])
+        known = {field.name for field in fields(holder)}
+        return replace(holder, **{name: places[name] for name in known & places.keys()})
+
+    try:
+        return replace(
+            scene,
+            rod=replace(scene.rod, length=float(arrays["arc_length"][-1])),
+            start=there(scene.start, 0),
+            end=there(scene.end, -1),
+            supports=tuple(map(there, scene.supports, support_nodes)),
+        )
+    except ProblemError:
+        return scene
 
 
 def nodes(cable) -> Nodes:

@@ -11,7 +11,7 @@ from ..problem.between import between
 from ..result import Solution, is_near
 from .answer import solution
 
-STEP, SHORTEST = 1 / 2, 1 / 16
+STEP, SHORTEST = 1 / 2, 1 / 32
 """First and last step, as shares of the way, where one does not arrive."""
 PART = 0.5
 """Of the time that is left, what steps may take: what is tried after them needs some, too."""
@@ -55,10 +55,31 @@ def nodes(start: Solution | None, problem):
     )
 
 
+def follows(problem, start: Solution | None):
+    """Tell a ``Problem`` what is to be followed."""
+    if start is None or start.position is None:
+        return
+    problem.before, after = start.scene, problem.scene.obstacles
+    touched = {contact.obstacle for contact in start.contacts} - {None}
+    if len(problem.before.obstacles) == len(after):
+        problem.pushers = {
+            index: _middle(after[index]) - _middle(problem.before.obstacles[index])
+            for index in touched
+            if after[index] is not problem.before.obstacles[index]
+        }
+
+
+def _middle(obstacle):
+    """(3,) [m] a point that moves with an obstacle; the origin for one that fills a half of space."""
+    corners = getattr(obstacle, "vertices", obstacle.bounds)
+    return corners.mean(axis=0) if np.isfinite(corners).all() else np.zeros(3)
+
+
 def by_steps(problem, start: Solution):
-    """The ``Trial`` of a ``Problem`` among obstacles that an earlier solution becomes while its scene changes step by
-    step into this one, so that it passes through none of them; None if a step does not arrive."""
+    """The ``Trial`` of a ``Problem`` that an earlier solution becomes while its scene changes step by step into this
+    one; None if a step does not arrive."""
     from ..solve.problem import TimeUpError
+    from ..solve.refining import GARBAGE
     from ..solve.search import followed
     from ..solve.stepping import stepped
 
@@ -71,9 +92,10 @@ def by_steps(problem, start: Solution):
             there = problem if ahead == 1 else on_the_way(here, ahead)
         except ProblemError:
             return None
+        follows(there, here)
         warm = nodes(here, there)
         found = None if warm is None else followed(there, warm)
-        if found is None or not found.stable:
+        if found is None or not found.stable or found.error > GARBAGE:
             return None
         return found if ahead == 1 else solution(there, found)
 

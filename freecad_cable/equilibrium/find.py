@@ -14,7 +14,7 @@ from ..result import Solution, is_near
 from ..status import Status
 from . import stretches
 from .answer import effort, solution
-from .earlier import by_steps, nodes, pull
+from .earlier import by_steps, follows, nodes, pull
 from .length_design import shortest
 
 NO_SLACK = 1e-7
@@ -69,11 +69,14 @@ def _found(scene, start, watch, apart):
     return _in_one_piece(scene, start, watch, apart)
 
 
-def _in_one_piece(scene, start, watch, apart, anew=False):
+def _in_one_piece(scene, start, watch, apart, before=None):
+    """``before``: the problem that was followed to no answer."""
     problem = _problem(scene, watch, pull(start))
     if isinstance(problem, Solution):
         return problem
-    problem.parts, problem.anew = apart, anew
+    problem.parts = apart
+    if before is not None:
+        problem.anew, problem.deadline = True, before.deadline
     if start is not None and _entered(start, scene) and is_near(start, scene, A_STEP):
         # What was not to be found beside the rims of rings is not looked for at each step of a drag.
         problem.surroundings = problem.surroundings.without_rims()
@@ -82,6 +85,7 @@ def _in_one_piece(scene, start, watch, apart, anew=False):
     from ..solve.problem import TimeUpError
     from ..solve.refining import finer
 
+    follows(problem, start)
     warm = nodes(start, problem)
     try:
         trial = find(problem, warm, lambda: by_steps(problem, start))
@@ -99,12 +103,12 @@ def _in_one_piece(scene, start, watch, apart, anew=False):
     if trial.error <= scene.options.tolerance and not found.status.success:
         # The checks put splines through the nodes, and may need more of these than the answer.
         better = finer(problem, trial)
-        if not passed_through(problem.surroundings, trial.shape, better.shape):
+        if not passed_through(problem, trial.shape, better.shape):
             trial = better
             found = solution(problem, trial)
     if start is not None and not found.status.success:
         # From there it may have come to a place from which there is no way on.
-        other = _in_one_piece(scene, None, watch, apart, anew=warm is not None)
+        other = _in_one_piece(scene, None, watch, apart, None if warm is None else problem)
         return other if other.status.success else found
     return found
 

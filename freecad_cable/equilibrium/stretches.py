@@ -26,11 +26,10 @@ def cuts(scene: Scene) -> list[int]:
 def solved(scene: Scene, solve, start: Solution | None) -> Solution:
     """The solution of a scene with cuts, from those of its stretches. ``solve(scene, start=None)`` finds one."""
     scenes, found, kept = _split(scene), [], 0
-    before = start.stretches if start is not None else ()
-    if len(before) != len(scenes):
-        before = [None] * len(scenes)
+    apart = start is not None and len(start.stretches) == len(scenes)
+    before = start.stretches if apart else _cut(start, scene)
     for part, earlier in zip(scenes, before, strict=True):
-        if earlier is not None and earlier.status.success and _same(part, earlier.scene):
+        if apart and earlier.status.success and _same(part, earlier.scene):
             found.append(replace(earlier, anew=False))
             kept += 1
         else:
@@ -85,6 +84,46 @@ def _split(scene) -> list[Scene]:
             )
         )
     return scenes
+
+
+def _cut(start, scene) -> list[Solution | None]:
+    """The parts of an earlier solution that is one piece, as starts for the stretches of a scene; without their own
+    scenes, so not as answers."""
+    at = cuts(scene)
+    if start is None or start.position is None or len(start.support_nodes) != len(scene.supports):
+        return [None] * (len(at) + 1)
+    before = _split(start.scene) if cuts(start.scene) == at else _split(scene)
+    ends = [0, *(start.support_nodes[i] for i in at), len(start.arc_length) - 1]
+    held, parts = [-1, *at, len(scene.supports)], []
+    for k, (a, b) in enumerate(zip(ends, ends[1:], strict=False)):
+        inside = slice(held[k] + 1, held[k + 1])
+        span = start.arc_length[[a, b]]
+        names = "position", "quaternion", "force", "moment", "curvature"
+        nodes = {name: getattr(start, name)[a : b + 1].copy() for name in names}
+        if k > 0:
+            _beyond(nodes, start.support_reactions[at[k - 1]], scene.rod)
+        parts.append(
+            replace(
+                start,
+                **nodes,
+                scene=before[k],
+                arc_length=start.arc_length[a : b + 1] - span[0],
+                support_nodes=tuple(node - a for node in start.support_nodes[inside]),
+                support_reactions=start.support_reactions[inside],
+                contacts=tuple(
+                    each for each in start.contacts if span[0] <= each.arc_length <= span[1]
+                ),
+            )
+        )
+    return parts
+
+
+def _beyond(nodes, reaction, rod):
+    """At the first of some nodes, what is just beyond the support there."""
+    nodes["force"][0] -= reaction.force
+    nodes["moment"][0] -= reaction.moment
+    moment = rotation.matrix(nodes["quaternion"][0]).T @ nodes["moment"][0]
+    nodes["curvature"][0] = rod.natural_curvature + moment / rod.stiffness
 
 
 def _same(a, b) -> bool:

@@ -46,7 +46,8 @@ class Scene:
                 "supports",
                 f"are {len(self.supports)}; at most {MOST_SUPPORTS} can be solved; divide the cable at a clamp",
             )
-        number("clearance", self.clearance, at_least=0, unit="m")
+        given = number("clearance", self.clearance, at_least=0, unit="m")
+        object.__setattr__(self, "clearance", given)
         if self.enforce_bend_radius and self.rod.min_bend_radius is None:
             raise ProblemError(
                 "cable.min_bend_radius", "is not given, so it cannot be enforced; give it"

@@ -25,10 +25,12 @@ def is_near(solution, scene, near=NEAR) -> bool:
     )
     if not all(_holds_nearly(holder, solution, node, length, near) for holder, node in held):
         return False
-    # The old moments must be nearly those of this rod, or stiffness has changed by more than a start can bear.
+    # The old moments must be nearly those of this rod, or stiffness has changed by more than a start can bear: to twice
+    # or half.
     moment = np.einsum("kij,ki->kj", rotation.matrix(solution.quaternion), solution.moment)
     ours = scene.rod.stiffness * (solution.curvature - scene.rod.natural_curvature)
-    return bool(np.abs(moment - ours).max() <= 0.5 * np.abs(ours).max())
+    larger = max(np.abs(moment).max(), np.abs(ours).max())
+    return bool(np.abs(moment - ours).max() <= 0.5 * (1 + 1e-9) * larger)
 
 
 def _holds_nearly(holder, solution, node, length, near) -> bool:

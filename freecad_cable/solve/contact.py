@@ -118,7 +118,7 @@ def resumed(problem: Problem, warm: Shape) -> Trial | None:
     """The equilibrium from an earlier one in contact or near it; None if there is none near."""
     problem.formed = problem.scene.enforce_bend_radius
     found = _resumed(problem, warm)
-    if found is not None and passed_through(problem.surroundings, warm, found.shape):
+    if found is not None and passed_through(problem, warm, found.shape, problem.pushers):
         found = None
     problem.formed = problem.formed and found is not None
     return found

@@ -21,6 +21,7 @@ slack s by about 0.3 δ/√s (a parabola), at most 3 δ where this is tried, and
 
 def find(problem: Problem, *start) -> Trial | None:
     """As ``search.find``, with as little of the model as the tolerance allows."""
+    anew = problem.anew
     trial = search.find(problem, *start)
     if not problem.model.tried:
         return trial
@@ -31,7 +32,7 @@ def find(problem: Problem, *start) -> Trial | None:
             sentence = f"{names}: summed along the cable they are {moved:.1e} of its length, below the tolerance"
             problem.model = replace(problem.model, left_out=(*problem.model.left_out, sentence))
             return trial
-    problem.model = reduce(problem.scene, rigid=False)
+    problem.model, problem.anew = reduce(problem.scene, rigid=False), anew
     return search.find(problem, *start)
 
 

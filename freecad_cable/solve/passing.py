@@ -13,35 +13,44 @@ THROUGH = 0.5
 """Share of the distance to keep, nearer than which what changes sides is taken to come through."""
 
 
-def passed_through(around_it, before: Shape, after: Shape) -> bool:
+def passed_through(problem, before: Shape, after: Shape, pushers=None) -> bool:
     """Whether a place of the cable that goes straight from where it is ``before`` to where it is ``after`` comes
-    through an obstacle to another side of it."""
+    through an obstacle to another side of it; seen from the obstacle, if that is one of ``pushers`` (see ``Problem``).
+    """
+    around_it, length, pushers = problem.on_the_way, problem.scaling.length, pushers or {}
+    shifts = {
+        number: pushers[index] / length
+        for number, index in enumerate(around_it.indices)
+        if index in pushers
+    }
     after = replace(after, joints=())  # supports that slide are elsewhere on it
     moved = np.linalg.norm(after.on(before.arc_length).position - before.position, axis=1).max()
+    moved += max(map(np.linalg.norm, shifts.values()), default=0.0)
     if moved <= LEAST * around_it.keep:
         return False
-    # What touched the cable may be out of its reach now.
-    around_it = around_it.whole
     look = around_it.look(before, moved)
-    here = look.fine.position
     there = after.on(look.fine.arc_length).position
-    way = np.linalg.norm(there - here, axis=1)
     for near, gap in zip(look.found, look.gaps, strict=True):
-        may = (way > LEAST * around_it.keep) & (gap < way)
-        some = near.where[may[near.where]]
-        if not len(some):
-            continue
-        was, now = near.of(some), around_it.nearest_of(near.obstacle, there[some])
-        some = some[np.einsum("mi,mi->m", was.normal, now.normal) < 0]
-        if len(some) and _nearest_on_way(around_it, near.obstacle, here[some], there[some]) < (
-            THROUGH * around_it.keep
-        ):
+        where = near.where[np.isfinite(gap[near.where])]
+        here, was = look.fine.position[where], near.of(where)
+        if near.obstacle in shifts:
+            here = here + shifts[near.obstacle]
+            was = around_it.nearest_of(near.obstacle, here)
+        if _comes_through(around_it, near.obstacle, here, was, there[where]):
             return True
     return False
 
 
-def _nearest_on_way(around_it, obstacle, here, there):
-    way = np.linalg.norm(there - here, axis=1).max()
-    parts = np.linspace(0.0, 1.0, int(np.ceil(way / (THROUGH * around_it.keep))) + 1)
-    points = here + parts[:, None, None] * (there - here)
-    return around_it.nearest_of(obstacle, points.reshape(-1, 3)).distance.min()
+def _comes_through(around_it, obstacle, here, was, there):
+    way = np.linalg.norm(there - here, axis=1)
+    may = np.flatnonzero((way > LEAST * around_it.keep) & (was.distance - around_it.keep < way))
+    if not len(may):
+        return False
+    now = around_it.nearest_of(obstacle, there[may]).normal
+    may = may[np.einsum("mi,mi->m", was.normal[may], now) < 0]
+    if not len(may):
+        return False
+    closely = THROUGH * around_it.keep
+    parts = np.linspace(0.0, 1.0, int(np.ceil(way[may].max() / closely)) + 1)
+    points = here[may] + parts[:, None, None] * (there[may] - here[may])
+    return around_it.nearest_of(obstacle, points.reshape(-1, 3)).distance.min() < closely

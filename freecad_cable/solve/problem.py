@@ -65,6 +65,10 @@ class Problem:
     """called before each run of a solver; see ``find_equilibrium``"""
     apart: bool = field(default=False)
     """whether the cable is kept from running through itself; first it is solved as if it need not"""
+    before: Scene | None = field(default=None)
+    """that of an earlier solution, which is to be followed"""
+    pushers: dict[int, np.ndarray] = field(default_factory=dict)
+    """of the scene's obstacles that the cable touched before, how far each has moved since (3,) [m]"""
     anew: bool = field(default=False)
     """whether an earlier solution was to be followed, and could not be"""
     parts: bool = field(default=True)
@@ -100,6 +104,13 @@ class Problem:
     @cached_property
     def surroundings(self) -> Surroundings:
         return Surroundings(self.scene, self.scaling)
+
+    @cached_property
+    def on_the_way(self) -> Surroundings:
+        """With what was in reach before."""
+        if self.before is None:
+            return self.surroundings
+        return self.surroundings.in_reach_of(self.before)
 
     @cached_property
     def own(self) -> Own:

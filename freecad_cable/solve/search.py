@@ -49,12 +49,14 @@ DOUBTFUL_ROLL = 2.0
 
 def find(problem: Problem, warm: Shape | None = None, by_steps=lambda: None) -> Trial | None:
     """A stable equilibrium to the tolerance asked for, or the best that was found, or None. ``by_steps()`` is what is
-    found among obstacles from where ``warm`` comes from, if it is not from there at once."""
-    if warm is not None and (warm.error is not None or problem.surroundings.obstacles):
+    found from where ``warm`` comes from, if it is not from there at once."""
+    if warm is not None:
         found = followed(problem, warm) or by_steps()
         if found is not None:
             return found
         problem.anew = True
+        if warm.error is None and not problem.surroundings.obstacles:
+            warm = None  # there is nothing that was in its way
     found = _through_itself(problem, warm)
     if problem.surroundings.obstacles and not _rests(problem, found):
         try:
@@ -66,7 +68,7 @@ def find(problem: Problem, warm: Shape | None = None, by_steps=lambda: None) -> 
 
 
 def followed(problem: Problem, warm: Shape) -> Trial | None:
-    """The equilibrium among obstacles that one near it has become; None if there is none near."""
+    """The equilibrium that an earlier one has become; None if there is none near."""
     return _undisturbed(problem, warm) or contact.resumed(problem, warm)
 
 
@@ -82,13 +84,16 @@ def _from_easier(problem):
 def _undisturbed(problem, warm):
     """From an equilibrium that touches nothing to one that does not either, if nothing can have been in its way.
     Cheaper than to keep away from all that is near."""
-    if warm.error is not None or problem.scene.enforce_bend_radius:
+    obstacles, formed = problem.on_the_way.obstacles, problem.scene.enforce_bend_radius
+    if warm.error is not None or (obstacles and formed):
         return None
     found = _followed(problem, warm)
     if found is None:
         return None
     found = refined(problem, found)
-    if not unhindered(problem.surroundings, warm, found.shape):
+    if formed:
+        found = _formed(problem, found)
+    if found is None or (obstacles and not unhindered(problem.on_the_way, warm, found.shape)):
         return None
     return apart(problem, found)
 
@@ -146,7 +151,6 @@ def _free(problem, warm):
     """As if there were no obstacles."""
     found = None if warm is None else _followed(problem, warm)
     if found is None:
-        problem.anew |= warm is not None
         for trial in _attempts(problem, _first_mesh(problem)):
             trial = off_saddle(problem, trial)
             if found is None or _better(trial, found):

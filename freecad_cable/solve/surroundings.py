@@ -42,15 +42,14 @@ they are more than so many radii of the cable apart."""
 class Surroundings:
     """The obstacles that a scene's cable may touch."""
 
-    def __init__(self, scene: Scene, scaling: Scaling, rims=True, within=in_reach):
-        """``rims``: whether the rims of rings are obstacles, too. ``within``: which obstacles it has, see
-        ``problem.surroundings``."""
+    def __init__(self, scene: Scene, scaling: Scaling, rims=True, more=False):
+        """``rims``: whether the rims of rings are obstacles, too. ``more`` (k,): obstacles beside those in reach."""
         self.scene, self.scaling, self.rims = scene, scaling, rims
         self.strict = self
         """the same with the rims of rings"""
         self.radius = scene.rod.radius / scaling.length
         self.keep = self.radius + scene.clearance / scaling.length
-        self.indices = np.flatnonzero(within(scene, scene.obstacles))
+        self.indices = np.flatnonzero(in_reach(scene, scene.obstacles) | more)
         self.obstacles = [scene.obstacles[i] for i in self.indices]
         bounds = np.array([each.bounds for each in self.obstacles]).reshape(-1, 2, 3)
         self._seen = WeakKeyDictionary()
@@ -72,12 +71,12 @@ class Surroundings:
             return self
         return Surroundings(replace(self.scene, clearance=0.0), self.scaling, self.rims)
 
-    @cached_property
-    def whole(self) -> "Surroundings":
-        """The same with what is out of reach."""
-        if len(self.obstacles) == len(self.scene.obstacles):
+    def in_reach_of(self, other: Scene) -> "Surroundings":
+        """With what the cable of another scene could reach, too."""
+        more = in_reach(other, self.scene.obstacles)
+        if np.isin(np.flatnonzero(more), self.indices).all():
             return self
-        return Surroundings(self.scene, self.scaling, self.rims, lambda _, all_: np.ones(len(all_)))
+        return Surroundings(self.scene, self.scaling, self.rims, more)
 
     @cached_property
     def holes(self) -> list[tuple[int, int, Bore]]:

@@ -61,11 +61,26 @@ class LiesAnewTest(DocumentTest):
         self.lift(31)
         self.assertNotIn(ANEW, self.cable.Status)
 
-    def test_from_a_file_it_starts_at_its_nodes(self):
-        """The scene that they are from is in no file, so there are no steps from there."""
-        self.cable.Proxy.solution = None
-        self.lift(5)
-        self.assertLess(self.height(), -110)
+    def test_undone_it_starts_from_where_it_is(self):
+        """The scene that its nodes are from is no longer known, but they tell what held them."""
+        self.doc.UndoMode = 1
+        for height in (23, 30):
+            self.doc.openTransaction("Lift")
+            self.lift(height)
+            self.doc.commitTransaction()
+            self.doc.undo()
+            self.compute()
+            self.lift(23)
+            self.assertLess(self.height(), -110)
+            self.assertNotIn(ANEW, self.cable.Status)
+            self.lift(0)
+
+    def test_it_goes_with_a_bar_that_is_lowered(self):
+        self.lift(10)
+        self.assertEqual(len(self.cable.ContactForces), 1)
+        self.bar.Placement.Base.z -= 10
+        self.compute()
+        self.assertLess(self.height(), -120)
         self.assertNotIn(ANEW, self.cable.Status)
 
 
