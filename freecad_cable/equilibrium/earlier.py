@@ -59,14 +59,13 @@ def follows(problem, start: Solution | None):
     """Tell a ``Problem`` what is to be followed."""
     if start is None or start.position is None:
         return
-    problem.before, after = start.scene, problem.scene.obstacles
-    touched = {contact.obstacle for contact in start.contacts} - {None}
-    if len(problem.before.obstacles) == len(after):
-        problem.pushers = {
-            index: _middle(after[index]) - _middle(problem.before.obstacles[index])
-            for index in touched
-            if after[index] is not problem.before.obstacles[index]
-        }
+    problem.before, problem.pushers = start.scene, {}
+    before, after = start.scene.obstacles, problem.scene.obstacles
+    for index in {contact.obstacle for contact in start.contacts} - {None}:
+        if len(before) == len(after) and before[index].place == after[index].place:
+            moved = _middle(after[index]) - _middle(before[index])
+            if moved.any():
+                problem.pushers[index] = moved
 
 
 def _middle(obstacle):

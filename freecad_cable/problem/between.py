@@ -11,12 +11,14 @@ from .scene import Scene
 
 def between(before: Scene, after: Scene, share: float) -> Scene:
     """``after``, but places, directions, sizes and all other numbers that ``before`` has, too, are a ``share`` of the
-    way from there. Errors: ``ProblemError`` if that is no scene."""
+    way from there. An obstacle or a support with another name (``place``) is another. Errors: ``ProblemError`` if that
+    is no scene."""
     return replace(_between(before, after, share), options=after.options)
 
 
 def _between(before, after, share):
-    if before is after or type(before) is not type(after):
+    same = type(before) is type(after) and _name(before) == _name(after)
+    if before is after or not same:
         return after
     if is_dataclass(after):
         return _of_fields(before, after, share)
@@ -25,6 +27,10 @@ def _between(before, after, share):
     if isinstance(after, (float, np.ndarray)) and np.shape(before) == np.shape(after):
         return (1 - share) * before + share * after
     return after
+
+
+def _name(thing):
+    return getattr(thing, "place", None)
 
 
 def _of_fields(before, after, share):

@@ -54,7 +54,7 @@ def find(problem: Problem, warm: Shape | None = None, by_steps=lambda: None) -> 
         found = followed(problem, warm) or by_steps()
         if found is not None:
             return found
-        problem.anew = True
+        problem.anew, problem.pushers = True, {}
         if warm.error is None and not problem.surroundings.obstacles:
             warm = None  # there is nothing that was in its way
     found = _through_itself(problem, warm)

@@ -69,6 +69,12 @@ def test_what_only_one_of_them_has():
     assert between(low, pinned, 0.5).end is pinned.end
 
 
+def test_another_name_is_another_thing():
+    low, high = (Sphere([0, 0, z], 0.1, place=f"obstacle {z}") for z in (1, 3))
+    there = between(scene(0.2, UNTURNED, [low]), scene(0.2, UNTURNED, [high]), 0.5)
+    assert there.obstacles[0] is high
+
+
 def test_no_scene_on_the_way():
     up, down = (scene(0.2, UNTURNED, [HalfSpace([0, 0, -1], [0, 0, z])]) for z in (1, -1))
     with pytest.raises(ProblemError, match="normal"):
