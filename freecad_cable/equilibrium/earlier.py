@@ -100,15 +100,18 @@ def by_steps(problem, start: Solution):
 
     def on_the_way(here, ahead):
         there = problem.eased(between(before, after, ahead), pull(here))
-        there.deadline = deadline
+        there.deadline, there.hurried = deadline, True
         if not problem.surroundings.rims:
             there.surroundings = there.surroundings.without_rims()
         return there
 
+    problem.hurried = True
     try:
         return None if before is after else stepped(start, advance, STEP, SHORTEST)
     except TimeUpError:
         return None
+    finally:
+        problem.hurried = False
 
 
 def _contact_error(start):

@@ -69,6 +69,8 @@ class Problem:
     """that of an earlier solution, which is to be followed"""
     pushers: dict[int, np.ndarray] = field(default_factory=dict)
     """of the scene's obstacles that the cable touched before, how far each has moved since (3,) [m]"""
+    hurried: bool = field(default=False)
+    """whether what fails from a start that is nearly the solution is tried from nearer, and not by slower solvers"""
     anew: bool = field(default=False)
     """whether an earlier solution was to be followed, and could not be"""
     parts: bool = field(default=True)
@@ -207,6 +209,8 @@ class Problem:
             names = [name for name in self.solvers if name != "fatrop"] or names
         near = start.force is not None and not nlp.equality.all()
         first = [("fatrop", True)] if near and names[0] == "fatrop" else []
+        if first and self.hurried:
+            return first
         return [*first, *((name, False) for name in names)]
 
     def _built(self, start, contacts, links):
