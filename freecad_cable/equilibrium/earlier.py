@@ -24,6 +24,11 @@ def pull(start: Solution | None) -> float:
     return float(np.linalg.norm(start.force, axis=1).max())
 
 
+def curvature(rod, quaternion, moment) -> np.ndarray:
+    """(3,) [1/m] of a rod with this frame (4,) under a moment (3,) [N m], in the material frame."""
+    return rod.natural_curvature + rotation.matrix(quaternion).T @ moment / rod.stiffness
+
+
 def nodes(start: Solution | None, problem):
     """The nodes of an earlier solution as a ``Shape`` in the units of a ``Problem``; None if it is too far."""
     from ..transcription.shape import Joint, Shape
@@ -38,9 +43,7 @@ def nodes(start: Solution | None, problem):
 
     joints = []
     for node, load in zip(start.support_nodes, start.support_reactions, strict=True):
-        frame = rotation.matrix(start.quaternion[node])
-        moment = frame.T @ (start.moment[node] - load.moment)
-        beyond = scene.rod.natural_curvature + moment / scene.rod.stiffness
+        beyond = curvature(scene.rod, start.quaternion[node], start.moment[node] - load.moment)
         force, turning = load.force / scaling.force, load.moment / scaling.energy
         joints.append(Joint(node, strain(beyond), force, turning))
     return Shape(

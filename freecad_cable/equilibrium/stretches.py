@@ -11,6 +11,7 @@ from ..geometry.self_contact import self_penetrations
 from ..problem import Clamp, Clamped, Free, Scene
 from ..result import Balance, Energy, Load, Solution
 from ..status import Status
+from .earlier import curvature
 
 DEEP = 0.01
 """Depth, in radii, to which a cable may be in itself."""
@@ -122,8 +123,7 @@ def _beyond(nodes, reaction, rod):
     """At the first of some nodes, what is just beyond the support there."""
     nodes["force"][0] -= reaction.force
     nodes["moment"][0] -= reaction.moment
-    moment = rotation.matrix(nodes["quaternion"][0]).T @ nodes["moment"][0]
-    nodes["curvature"][0] = rod.natural_curvature + moment / rod.stiffness
+    nodes["curvature"][0] = curvature(rod, nodes["quaternion"][0], nodes["moment"][0])
 
 
 def _same(a, b) -> bool:
