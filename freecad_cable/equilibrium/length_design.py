@@ -22,6 +22,9 @@ from ..status import Status
 
 LONGEST = 4.0
 """Longest cable that is tried, over the shortest possible."""
+AMPLE = 1.5
+"""The same among obstacles, over one that will do: there a slack cable takes a hundred times as long as a short one, and
+none is ordered half as long again as it need be."""
 TAUTEST = 1e-3
 """Slack of the shortest one that is tried, relative to the shortest possible."""
 GROWTH = 1.4
@@ -29,10 +32,12 @@ GROWTH = 1.4
 PRECISION = 1e-5
 """Of the ends of the interval, relative to the length."""
 ROUGHLY = 1e-3
-"""The same where an end is no requirement, but the last length at which an equilibrium was found."""
+"""The same where the shortest is no requirement, but the last length at which an equilibrium was found."""
 PATIENCE, LEAST = 3.0, 2.0
 """Time for one length, in the longest time that one took until it was solved, and at least [s]: one at which there is
 no equilibrium takes as long as it is given."""
+FIRST = 0.5
+"""Time for a length until one is solved, as a share of the limit: a longer one may be much easier."""
 
 
 @dataclass(frozen=True)
@@ -62,9 +67,15 @@ def shortest(scene: Scene, solve) -> Solution:
     ``solve(scene, start=None)`` finds an equilibrium at a given length.
     """
     way, sample = shortest_way(stations(scene)), Sampler(scene, solve)
-    first = sample(max(_spline_length(scene), way * (1 + TAUTEST)), None)
-    samples = _walk(sample, way, first, 1 / GROWTH)[::-1] + [first]
-    samples += _walk(sample, way, first, GROWTH)
+    tried = _until_solved(sample, way, max(_spline_length(scene), way * (1 + TAUTEST)))
+    # What was not found from nothing, at lengths before, may well be found from there.
+    first, samples = tried[-1], tried
+    if first.solved:
+        samples = [
+            *_walk(sample, way, first, 1 / GROWTH)[::-1],
+            first,
+            *_walk(sample, way, first, GROWTH),
+        ]
     if not any(each.feasible for each in samples):
         samples = _with_best(sample, samples)
     good = [i for i, each in enumerate(samples) if each.feasible]
@@ -81,7 +92,9 @@ def shortest(scene: Scene, solve) -> Solution:
     else:
         low = _tried(first, "shortest")
     if b + 1 < len(samples):
-        end, beyond = _bracketed(sample, end, samples[b + 1], first)
+        beyond = samples[b + 1]
+        if beyond.solved:
+            end, beyond = _bracketed(sample, end, beyond, first)
         high = _bound(end, beyond, "longer", "longest")
     else:
         high = _tried(end, "longest")
@@ -102,17 +115,29 @@ def _spline_length(scene) -> float:
         return 0.0
 
 
+def _until_solved(sample, way, length) -> list:
+    """Samples from a length on until one is solved: among obstacles it may take much more than past them."""
+    samples = [sample(length, None)]
+    while not samples[-1].solved:
+        length = way + (length - way) * GROWTH**2
+        if length > LONGEST * way:
+            break
+        samples.append(sample(length, None))
+    return samples
+
+
 def _walk(sample, way, first, factor) -> list:
-    """Samples from the first on, until what was feasible is no more or the end is reached."""
-    samples, last = [first], first.solution
+    """Samples beyond the first, which is solved, until what was feasible is no more or the end is reached."""
+    samples, last, longest = [first], first.solution, LONGEST * way
     while True:
-        # Among obstacles it may take much more length than past them until there is an equilibrium at all.
-        begun = factor < 1 or any(each.solved for each in samples)
-        length = way + (samples[-1].length - way) * (factor if begun else factor**2)
-        if not 1 + TAUTEST <= length / way <= LONGEST:
+        before = samples[-1]
+        if before.feasible and sample.scene.obstacles:
+            longest = min(longest, AMPLE * before.length)
+        length = way + (before.length - way) * factor
+        if not (1 + TAUTEST) * way <= length <= longest:
             return samples[1:]
-        samples.append(sample(length, last))
-        before, here = samples[-2:]
+        here = sample(length, last)
+        samples.append(here)
         if here.solved:
             last = here.solution
         # Shorter cables only pull harder; one that does not even solve has no better neighbour there.
@@ -121,7 +146,7 @@ def _walk(sample, way, first, factor) -> list:
         # Longer ones do not, and one that does not solve may be an accident.
         if before.feasible and here.solved and not here.feasible:
             return samples[1:]
-        if begun and not (before.solved or here.solved):
+        if not (before.solved or here.solved):
             return samples[1:-1]
 
 
@@ -130,14 +155,16 @@ class Sampler:
 
     def __init__(self, scene, solve):
         self.scene, self.solve = scene, solve
-        self.longest = np.inf
-        """[s] that a length took until it was solved; infinite before one is"""
+        self.longest = None
+        """[s] that a length took until it was solved; None before one is"""
 
     def __call__(self, length, last) -> Sample:
         """``last``: an earlier solution to start from, or None."""
         scene, limit = self.scene, self.scene.options.time_limit
         scene = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
-        patience = min(limit, max(PATIENCE * self.longest, LEAST))
+        patience = FIRST * limit
+        if self.longest is not None:
+            patience = min(limit, max(PATIENCE * self.longest, LEAST))
         hurried = replace(scene, options=replace(scene.options, time_limit=patience))
         begin = time.perf_counter()
         try:
@@ -148,7 +175,7 @@ class Sampler:
         if not solution.status.success:
             return Sample(length, solution, -np.inf, "equilibrium", None, solution.message)
         took = time.perf_counter() - begin
-        self.longest = took if np.isinf(self.longest) else max(self.longest, took)
+        self.longest = max(self.longest or 0.0, took)
         return _judged(scene, solution)
 
 
@@ -201,7 +228,7 @@ def _bracketed(sample, inside, outside, further):
     """The feasible and the infeasible length next to where feasibility ends: regula falsi (Illinois form) where the
     margin is known on both sides, else by what the last two feasible ones promise, ``further`` inside the one before.
     """
-    weights = [1.0, 1.0]
+    weights, moved = [1.0, 1.0], None
     while abs(outside.length - inside.length) > _precision(outside) * inside.length:
         way = outside.length - inside.length
         if outside.solved and inside.margin < 1e3:
@@ -213,10 +240,14 @@ def _bracketed(sample, inside, outside, further):
         least = _precision(outside) * inside.length / 2 / abs(way)
         share = np.clip(share, least, 1 - least)
         middle = sample(float(inside.length + share * way), inside.solution)
+        # An end that stays twice would stay for long.
+        stays = int(middle.feasible)
+        weights[stays] *= 0.5 if moved == 1 - stays else 1.0
+        weights[1 - stays], moved = 1.0, 1 - stays
         if middle.feasible:
-            inside, further, weights = middle, inside, [1.0, weights[1] / 2]
+            inside, further = middle, inside
         else:
-            outside, weights = middle, [weights[0] / 2, 1.0]
+            outside = middle
     return inside, outside
 
 

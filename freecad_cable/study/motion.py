@@ -13,6 +13,7 @@ from ..geometry import rotation
 from ..problem import Scene
 from ..result import Solution
 from .path import Jump, Step, change, follow
+from .row import Row
 
 
 @dataclass(frozen=True)
@@ -92,12 +93,22 @@ def needed_length(
             raise ProblemError(error.field, f"at {value:g}: {error.message}") from None
         if not solution.status.success:
             raise ProblemError("cable.length_mode", f"at {value:g}: {solution.message}")
-        shortest, longest = solution.feasible_lengths
-        found.append((shortest.length, longest.length, float(value)))
+        found.append((float(value), solution))
         tick()
-    length, _, where = max(found)
-    longest, at = min((longest, value) for _, longest, value in found)
-    return NeededLength(length, where, longest, at)
+    length, where = max((each.feasible_lengths[0].length, value) for value, each in found)
+    allowed = [(_allowed(scene_at(value), each, length, solve), value) for value, each in found]
+    return NeededLength(length, where, *min(allowed))
+
+
+def _allowed(scene, solution, length, solve):
+    """The longest cable that a position allows [m]; where its search has ended at one shorter than ``length`` for no
+    requirement, that length is tried."""
+    longest = solution.feasible_lengths[1]
+    if longest.length >= length or longest.requirement not in (None, "equilibrium"):
+        return longest.length
+    there = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
+    holds = Row.of((), solve(there, start=solution)).holds
+    return length if holds else longest.length
 
 
 def envelope(solutions: Iterable[Solution], spacing: float) -> np.ndarray:

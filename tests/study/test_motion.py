@@ -9,6 +9,7 @@ from scenes import table_1
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.errors import ProblemError
+from freecad_cable.result import LengthBound
 from freecad_cable.study import Parameter, follow, motion, needed_length
 from freecad_cable.study.motion import envelope
 
@@ -46,6 +47,32 @@ def test_the_length_that_the_worst_position_needs():
     assert found.feasible == (found.length <= found.longest)
     with pytest.raises(ProblemError, match="at 0:"):
         needed_length(lambda angle: HINGE.of(table_1(min_bend_radius=0.3), angle), values)
+
+
+@pytest.mark.parametrize(
+    ("requirement", "radius", "allowed"),
+    [(None, 0.05, 0.9), ("equilibrium", 0.05, 0.9), (None, 0.03, 0.6), ("bend radius", 0.05, 0.6)],
+)
+def test_a_length_that_was_not_tried_is_no_limit(requirement, radius, allowed):
+    """One position takes 0.9 m of cable; at the other the search ended at 0.6 m, for this requirement, and with 0.9 m
+    it bends to this radius."""
+    ends = {0.0: (0.4, 0.6), 1.0: (0.9, 1.2)}
+
+    def solve(scene, start=None):
+        found = find_equilibrium(replace(table_1(), asks_length=False))
+        if start is not None:
+            return replace(found, scene=scene, min_bend_radius=(radius, 0.1))
+        low, high = ends[scene.clearance]
+        bounds = LengthBound(low, "bend radius", 0.1, ""), LengthBound(high, requirement, None, "")
+        return replace(found, scene=scene, feasible_lengths=bounds)
+
+    def scene_at(value):
+        return replace(table_1(min_bend_radius=0.045), clearance=value)
+
+    found = needed_length(scene_at, [0.0, 1.0], solve=solve)
+    assert (found.length, found.value) == (0.9, 1.0)
+    assert (found.longest, found.longest_value) == (allowed, 0.0)
+    assert found.feasible == (allowed == 0.9)
 
 
 def test_the_search_for_the_needed_length_can_be_stopped():
