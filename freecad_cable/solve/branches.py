@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from ..transcription.guess import guess
+from ..transcription.guess import guess, holds_turns, turned
 from . import contact, mesh, refining, search
 from .problem import Problem, TimeUpError
 from .trial import Trial
@@ -48,9 +48,10 @@ def _starts(problem):
     arc_length = mesh.uniform(mesh.COARSE, problem.breaks)
     directions = np.random.default_rng(7).normal(size=(WAYS, 3))
     sags = [None, *(SAG * d / np.linalg.norm(d) for d in directions)]
-    for turns in TURNS if problem.model.twist else TURNS[:1]:
-        for sag in sags:
-            yield guess(problem.scene, problem.scaling, arc_length, turns=turns, sag=sag)
+    scene, scaling = problem.scene, problem.scaling
+    starts = [guess(scene, scaling, arc_length, sag=sag) for sag in sags]
+    for turns in TURNS if problem.model.twist and holds_turns(scene) else TURNS[:1]:
+        yield from (turned(scene, scaling, start, turns) for start in starts)
 
 
 def _same(trial, other) -> bool:

@@ -13,7 +13,7 @@ import numpy as np
 from ..geometry.runs import runs
 from ..problem import Swivel
 from ..problem.reduce import orientation, reduce
-from ..transcription.guess import guess, hangs, hold, roll_mismatch, rolled
+from ..transcription.guess import guess, hangs, hold, holds_turns, roll_mismatch, rolled, turned
 from ..transcription.shape import Shape
 from . import contact, mesh
 from .continuation import continued, taut_chord
@@ -217,22 +217,25 @@ def _direct(problem, arc_length):
         trial = problem.solve(without_torsion)
         if trial is not None:
             yield trial
-    layered = problem.layered
-    start = guess(scene, scaling, arc_length, layered=layered)
-    starts = [start]
-    if problem.model.twist:
-        roll = roll_mismatch(scene, start)
-        if abs(roll) > DOUBTFUL_ROLL:
-            turns = -1 if roll > 0 else 1
-            starts.append(guess(scene, scaling, arc_length, turns=turns, layered=layered))
+    starts = [guess(scene, scaling, arc_length, layered=problem.layered)]
     loose = scene.spans and 0 < scene.chord < LOOSE * scaling.length
     if loose and scaling.weight_ratio < HEAVY:
         starts.append(guess(scene, scaling, arc_length, chain=not hangs(scaling)))
-        if problem.model.twist and not hangs(scaling):
-            # A loop without twist or a bow with a turn: either may cost less.
-            starts += [guess(scene, scaling, arc_length, turns=turns) for turns in (-1, 1)]
+    starts += [
+        turned(scene, scaling, starts[0], turns) for turns in _turns(problem, starts[0], loose)
+    ]
     trials = [problem.solve(each) for each in starts]
     yield from sorted((t for t in trials if t is not None), key=lambda trial: trial.energy)
+
+
+def _turns(problem, start, loose):
+    """With how many turns more it may cost less."""
+    if not (problem.model.twist and holds_turns(problem.scene)):
+        return ()
+    if loose and not hangs(problem.scaling):
+        return -1, 1  # instead of a loop without twist a bow with a turn
+    roll = roll_mismatch(problem.scene, start)
+    return () if abs(roll) <= DOUBTFUL_ROLL else (-1,) if roll > 0 else (1,)
 
 
 def _led(problem):

@@ -40,14 +40,12 @@ LEAN = 1e-3
 with success. Far larger than rounding, far smaller than what changes the iteration count."""
 
 
-def guess(
-    scene: Scene, scaling: Scaling, arc_length, *, turns=0, chain=None, sag=None, layered=()
-) -> Shape:
+def guess(scene: Scene, scaling: Scaling, arc_length, *, chain=None, sag=None, layered=()) -> Shape:
     """Nodes at ``arc_length`` (n+1,) in [0, 1], those of the supports among them, that satisfy the end conditions,
     nearly in equilibrium.
 
-    The frames carry as little twist as the ends allow, plus ``turns`` full turns. ``chain`` chooses
-    between a hanging chain and a spline (None: by weight); ``sag`` (3,) sends the slack elsewhere than gravity.
+    The frames carry as little twist as the ends allow (see ``turned``). ``chain`` chooses between a hanging chain and a
+    spline (None: by weight); ``sag`` (3,) sends the slack elsewhere than gravity.
     ``layered`` are the stretches that bend in layers only (see ``layers``); of a cable that is one such stretch
     forces and moments are known too.
     """
@@ -55,13 +53,34 @@ def guess(
     start = scene.start
     first = start.quaternion if isinstance(start, Clamped) else rotation.from_tangent(tangent[0])
     quaternion = rotation.transport(first, tangent)
-    shape = rolled(scene, scaling, arc_length, position, quaternion, turns)
+    shape = rolled(scene, scaling, arc_length, position, quaternion)
     if force is None:
         return shape
-    stiffness = scaling.stiffness(scene.rod)[:3]
+    force = force * scaling.stiffness(scene.rod)[:2].prod() ** 0.5
+    return _loaded(scene, scaling, replace(shape, force=force))
+
+
+def holds_turns(scene: Scene) -> bool:
+    """Whether a cable keeps the full turns that it has: both of its ends are clamped."""
+    return isinstance(scene.start, Clamped) and isinstance(scene.end, Clamped)
+
+
+def turned(scene: Scene, scaling: Scaling, shape: Shape, turns: int) -> Shape:
+    """A guess for a cable that ``holds_turns``, with so many full turns more, spread evenly."""
+    spin = np.outer(2 * np.pi * turns * shape.arc_length, (0.0, 0.0, 1.0))
+    frames = rotation.multiply(shape.quaternion, rotation.exponential(spin))
+    joints = [joint.node for joint in shape.joints]
+    other = Shape.from_frames(shape.arc_length, shape.position, frames, joints)
+    return (
+        other if shape.force is None else _loaded(scene, scaling, replace(other, force=shape.force))
+    )
+
+
+def _loaded(scene, scaling, shape):
+    """A guess whose forces are known, with the moments of its curvature."""
     bend = shape.strain[:, :3] - scene.rod.natural_curvature * scaling.length
-    moment = np.einsum("kij,kj->ki", rotation.matrix(shape.quaternion), stiffness * bend)
-    return replace(shape, force=force * stiffness[:2].prod() ** 0.5, moment=moment)
+    moment = scaling.stiffness(scene.rod)[:3] * bend
+    return replace(shape, moment=np.einsum("kij,kj->ki", rotation.matrix(shape.quaternion), moment))
 
 
 def layers(scene: Scene, scaling: Scaling) -> list[Layered | None]:
@@ -112,7 +131,7 @@ def _weight(scene, scaling):
     return scene.weight * scaling.length**3 / np.sqrt(np.prod(scene.rod.bending_stiffness))
 
 
-def rolled(scene, scaling, arc_length, position, quaternion, turns=0) -> Shape:
+def rolled(scene, scaling, arc_length, position, quaternion) -> Shape:
     """Frames without twist (n+1, 4) rolled about their tangents so that they satisfy the ends, the twist spread
     evenly beside the natural one."""
     natural_twist = scene.rod.natural_curvature[2] * scaling.length
@@ -121,7 +140,7 @@ def rolled(scene, scaling, arc_length, position, quaternion, turns=0) -> Shape:
     if clamped[1]:
         last = rotation.multiply(rotation.conjugate(quaternion[-1]), scene.end.quaternion)
         roll = 2 * np.arctan2(last[3], last[0]) - natural_twist
-        roll = (roll + np.pi) % (2 * np.pi) - np.pi + 2 * np.pi * turns * clamped[0]
+        roll = (roll + np.pi) % (2 * np.pi) - np.pi
     spin = _spin(scene, scaling, arc_length, quaternion, clamped, roll) + natural_twist * arc_length
     spin = np.outer(spin, (0.0, 0.0, 1.0))
     joints = np.searchsorted(arc_length, np.array(breaks(scene, scaling)) - 1e-12)
