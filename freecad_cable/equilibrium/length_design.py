@@ -23,8 +23,8 @@ from ..status import Status
 LONGEST = 4.0
 """Longest cable that is tried, over the shortest possible."""
 AMPLE = 1.5
-"""The same among obstacles, over one that will do: there a slack cable takes a hundred times as long as a short one, and
-none is ordered half as long again as it need be."""
+"""The same among obstacles, over one that will do: there a slack cable takes a hundred times as long as a short one,
+and none is ordered half as long again as it need be."""
 TAUTEST = 1e-3
 """Slack of the shortest one that is tried, relative to the shortest possible."""
 GROWTH = 1.4
