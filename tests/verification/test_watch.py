@@ -35,7 +35,7 @@ def test_a_watched_solve_can_be_stopped_at_every_step(table_1, made):
     scene, heard = made(table_1), []
     solution = find_equilibrium(scene, watch=heard.append)
     assert np.array_equal(solution.position, find_equilibrium(scene).position)
-    assert len(heard) > {plain: 0, asking: 20, cut: 1}[made]
+    assert len(heard) > {plain: 0, asking: 15, cut: 1}[made]
     assert all(" m in " in sentence and "elements" in sentence for sentence in heard)
 
     for step in {1, (1 + len(heard)) // 2, len(heard)}:
