@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From the properties of a cable and of what holds it to the scene that states its problem, without obstacles."""
 
-from ..equilibrium.length_design import LONGEST
+from dataclasses import replace
+
+from ..equilibrium.length_samples import longest
 from ..errors import DocumentError, ProblemError
 from ..geometry import rotation
 from ..options import EFFECTS, SolveOptions
@@ -101,6 +103,9 @@ def _rod(cable, checked, mode, start, supports, end):
     if isinstance(start, Pinned) and isinstance(end, Pinned):
         straight = chord_through([held.position for held in (start, *supports, end)])
     rod = proxy.rod(kind, _length(cable, checked, mode, straight))
+    if mode == "Shortest":
+        # No obstacle in the reach of the longest that is tried may be left out.
+        rod = replace(rod, length=longest(straight, rod))
     if cable.BendRadiusMode == "Enforce" and rod.min_bend_radius is None:
         raise wrong(
             cable,
@@ -118,10 +123,10 @@ def _rod(cable, checked, mode, start, supports, end):
 
 
 def _length(cable, checked, mode, straight):
-    """[m] Where the length is asked for, the longest that is tried: no obstacle in its reach may be left out."""
+    """[m] Where it is asked for, the shortest that is possible."""
     if mode == "Fixed":
         return to_si("length", checked.number("Length", above=0))
-    slack = checked.number("Slack", at_least=0) if mode == "Slack" else LONGEST - 1
+    slack = checked.number("Slack", at_least=0) if mode == "Slack" else 0.0
     if not straight:
         reason = "the terminals are at the same point" if straight == 0 else "an end is free"
         raise wrong(

@@ -6,8 +6,7 @@ one under its weight), so what is feasible is an interval, or nothing. It is fou
 spline to shorter and to longer ones, each equilibrium starting from the last, and by closing in on both ends.
 """
 
-import time
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -15,67 +14,34 @@ from scipy.optimize import minimize_scalar
 from ..errors import ProblemError
 from ..geometry.curves import spline
 from ..problem import Scene
-from ..problem.reach import shortest_way, stations
+from ..problem.reach import stations
 from ..problem.reduce import orientation
 from ..result import LengthBound, Solution
 from ..status import Status
+from .length_samples import Sampler
 
-LONGEST = 4.0
-"""Longest cable that is tried, over the shortest possible."""
 AMPLE = 1.5
-"""The same among obstacles, over one that will do: there a slack cable takes a hundred times as long as a short one,
-and none is ordered half as long again as it need be."""
-TAUTEST = 1e-3
-"""Slack of the shortest one that is tried, relative to the shortest possible."""
+"""Longest cable that is tried among obstacles, over one that will do: there a slack cable takes a hundred times as long
+as a short one, and none is ordered half as long again as it need be."""
 GROWTH = 1.4
 """Factor of the slack from one length that is tried to the next."""
 PRECISION = 1e-5
 """Of the ends of the interval, relative to the length."""
 ROUGHLY = 1e-3
 """The same where the shortest is no requirement, but the last length at which an equilibrium was found."""
-PATIENCE, LEAST = 3.0, 2.0
-"""Time for one length, in the longest time that one took until it was solved, and at least [s]: one at which there is
-no equilibrium takes as long as it is given."""
-FIRST = 0.5
-"""Time for a length until one is solved, as a share of the limit: a longer one may be much easier."""
-
-
-@dataclass(frozen=True)
-class Sample:
-    """What one length satisfies: the requirement with the least margin, relative to its limit."""
-
-    length: float
-    solution: Solution | None
-    margin: float
-    requirement: str
-    arc_length: float | None
-    sentence: str
-
-    @property
-    def feasible(self) -> bool:
-        return self.margin >= 0
-
-    @property
-    def solved(self) -> bool:
-        return self.margin > -np.inf
 
 
 def shortest(scene: Scene, solve) -> Solution:
     """The solution with the shortest feasible length and ``feasible_lengths``; or, if no length is feasible, status
-    INFEASIBLE and a sentence that says which requirement fails by how much.
+    INFEASIBLE and a sentence that says which requirement fails by how much. Errors: ``ProblemError`` where any length
+    would do.
 
     ``solve(scene, start=None)`` finds an equilibrium at a given length.
     """
-    way, sample = shortest_way(stations(scene)), Sampler(scene, solve)
-    tried = _until_solved(sample, way, max(_spline_length(scene), way * (1 + TAUTEST)))
+    sample = Sampler(scene, solve)
+    tried = _until_solved(sample)
     # What was not found from nothing, at lengths before, may well be found from there.
-    first, samples = tried[-1], tried
-    if first.solved:
-        samples = [
-            *_walk(sample, way, first, 1 / GROWTH)[::-1],
-            first,
-            *_walk(sample, way, first, GROWTH),
-        ]
+    samples = _around(sample, tried[-1]) if tried[-1].solved else tried
     if not any(each.feasible for each in samples):
         samples = _with_best(sample, samples)
     good = [i for i, each in enumerate(samples) if each.feasible]
@@ -102,6 +68,31 @@ def shortest(scene: Scene, solve) -> Solution:
     return replace(first.solution, message=message, feasible_lengths=(low, high), anew=False)
 
 
+def _until_solved(sample) -> list:
+    """Samples from the length of a spline on until one is solved: among obstacles it may take much more than past
+    them."""
+    samples = [sample(max(_spline_length(sample.scene), sample.least), None)]
+    while not samples[-1].solved and samples[-1].length < sample.most:
+        samples.append(sample(sample.beyond(samples[-1].length, GROWTH**2), None))
+    return samples
+
+
+def _around(sample, first) -> list:
+    """Samples in order of their length, from the first, which is solved, to shorter ones and to longer ones until what
+    was feasible is no more."""
+    samples = [*_walk(sample, first, 1 / GROWTH)[::-1], first]
+    if any(each.feasible for each in samples):
+        return samples + (_walk(sample, first, GROWTH) if first.feasible else [])
+    longer = _walk(sample, first, GROWTH)
+    good = next((i for i, each in enumerate(longer) if each.feasible), None)
+    if good is None:
+        good = max(range(len(longer)), key=lambda i: longer[i].margin, default=None)
+    if good is None or longer[good].margin <= max(each.margin for each in samples):
+        return samples + longer
+    # On its way up the cable may have left for another equilibrium, which shorter ones have, too.
+    return [*_walk(sample, longer[good], 1 / GROWTH)[::-1], *longer[good:]]
+
+
 def _skipped(two):
     return len(two) == 2 and not two[0].solved and two[1].feasible
 
@@ -115,96 +106,28 @@ def _spline_length(scene) -> float:
         return 0.0
 
 
-def _until_solved(sample, way, length) -> list:
-    """Samples from a length on until one is solved: among obstacles it may take much more than past them."""
-    samples = [sample(length, None)]
-    while not samples[-1].solved:
-        length = way + (length - way) * GROWTH**2
-        if length > LONGEST * way:
-            break
-        samples.append(sample(length, None))
-    return samples
-
-
-def _walk(sample, way, first, factor) -> list:
+def _walk(sample, first, factor) -> list:
     """Samples beyond the first, which is solved, until what was feasible is no more or the end is reached."""
-    samples, last, longest = [first], first.solution, LONGEST * way
+    samples, last, most = [first], first.solution, sample.most
     while True:
         before = samples[-1]
         if before.feasible and sample.scene.obstacles:
-            longest = min(longest, AMPLE * before.length)
-        length = way + (before.length - way) * factor
-        if not (1 + TAUTEST) * way <= length <= longest:
+            most = min(most, AMPLE * before.length)
+        length = sample.beyond(before.length, factor, most)
+        if length is None:
             return samples[1:]
         here = sample(length, last)
         samples.append(here)
         if here.solved:
             last = here.solution
-        # Shorter cables only pull harder; one that does not even solve has no better neighbour there.
-        if factor < 1 and here.margin < before.margin and not here.feasible:
+            worse = before.feasible or not before.solved or here.margin < before.margin
+            # Shorter cables only pull harder. Longer ones may yet become feasible.
+            if not here.feasible and (before.feasible or (factor < 1 and worse)):
+                return samples[1:]
+        elif here.requirement == "reach":
             return samples[1:]
-        # Longer ones do not, and one that does not solve may be an accident.
-        if before.feasible and here.solved and not here.feasible:
-            return samples[1:]
-        if not (before.solved or here.solved):
-            return samples[1:-1]
-
-
-class Sampler:
-    """What the lengths of a scene satisfy."""
-
-    def __init__(self, scene, solve):
-        self.scene, self.solve = scene, solve
-        self.longest = None
-        """[s] that a length took until it was solved; None before one is"""
-
-    def __call__(self, length, last) -> Sample:
-        """``last``: an earlier solution to start from, or None."""
-        scene, limit = self.scene, self.scene.options.time_limit
-        scene = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
-        patience = FIRST * limit
-        if self.longest is not None:
-            patience = min(limit, max(PATIENCE * self.longest, LEAST))
-        hurried = replace(scene, options=replace(scene.options, time_limit=patience))
-        begin = time.perf_counter()
-        try:
-            solution = self.solve(hurried, start=last)
-        except ProblemError as error:
-            return Sample(length, None, -np.inf, "reach", None, str(error))
-        solution = replace(solution, scene=scene)
-        if not solution.status.success:
-            return Sample(length, solution, -np.inf, "equilibrium", None, solution.message)
-        took = time.perf_counter() - begin
-        self.longest = max(self.longest or 0.0, took)
-        return _judged(scene, solution)
-
-
-def _judged(scene, solution) -> Sample:
-    rod, length = scene.rod, scene.rod.length
-    found = []
-    if rod.min_bend_radius is not None:
-        radius, place = solution.min_bend_radius
-        found.append(
-            (
-                min(radius / rod.min_bend_radius, 1e9) - 1,
-                "bend radius",
-                place,
-                f"it bends to {radius:.4g} m at {place:.4g} m, and {rod.min_bend_radius:.4g} m is the limit",
-            )
-        )
-    if (first := solution.pushed_clear) is not None:
-        place = scene.obstacles[first.obstacle].place
-        found.append(
-            (
-                -1.0,
-                "clearance",
-                first.arc_length,
-                f"it must be pushed from {place} at {first.arc_length:.4g} m to keep {scene.clearance:.4g} m clear",
-            )
-        )
-    if not found:
-        return Sample(length, solution, np.inf, "none", None, "there is no requirement")
-    return Sample(length, solution, *min(found))
+        elif not before.solved:
+            return samples[1:-1]  # one that does not solve may be an accident
 
 
 def _with_best(sample, samples):

@@ -45,7 +45,7 @@ def let_out(problem: Problem, find: Find, slacks=SLACK) -> Trial | None:
     for slack in slacks[:1] if problem.scene.supports else slacks:
         if LEAST * slack > full:
             continue
-        now = _as_long(problem, taut * (1 + slack))
+        now = as_long(problem, taut * (1 + slack))
         found = find(now, None)
         if found is not None and found.stable and not now.surroundings.deepest(found.shape):
             shape = found.shape.on(mesh.refined(found.shape, FIRST))
@@ -57,7 +57,7 @@ def _longer(problem, now, shape, slack, full):
     def advance(state, _, ahead, __):
         now, shape = state
         share = (1 + slack * (full / slack) ** ahead) / (1 + full)
-        then = problem if ahead == 1 else _as_long(problem, share)
+        then = problem if ahead == 1 else as_long(problem, share)
         before, after = now.scaling, then.scaling
         start = shape.in_units(before.force / after.force, before.length / after.length)
         then.formed = then.scene.enforce_bend_radius
@@ -81,7 +81,7 @@ def _gathered(problem, trial):
     return trial.shape.on(mesh.gathered(trial.shape, FIRST, here, WIDTH))
 
 
-def _as_long(problem, share):
+def as_long(problem: Problem, share: float) -> Problem:
     """The same cable with a share of its length."""
     scene = problem.scene
     supports = tuple(

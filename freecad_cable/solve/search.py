@@ -5,7 +5,9 @@ Plain attempts first, dearer ones only when they fail: a warm or a guessed start
 the distance of the ends; starts that send the slack elsewhere. Then off any saddle, then refinement.
 """
 
+import time
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -17,6 +19,7 @@ from ..transcription.guess import guess, hangs, hold, holds_turns, roll_mismatch
 from ..transcription.shape import Shape
 from . import contact, mesh
 from .continuation import continued, taut_chord
+from .drawing_in import drawn_in
 from .laying import laden
 from .leading import led
 from .letting_out import SLACK, let_out
@@ -43,6 +46,8 @@ HELD_AT = 1e-3
 KINK = 2e-3
 """Shortest elements beside a kink of the curvature, relative to the length: an element with a kink in it misses its own
 share of the moment."""
+PLAIN = 0.5
+"""Of the time that is left, what a cable among obstacles is looked for in as it is."""
 DOUBTFUL_ROLL = 2.0
 """Twist [rad] of a guess beyond which the other way round may cost less (at π they are alike)."""
 
@@ -57,13 +62,8 @@ def find(problem: Problem, warm: Shape | None = None, by_steps=lambda: None) -> 
         problem.anew, problem.pushers = True, {}
         if warm.error is None and not problem.surroundings.obstacles:
             warm = None  # there is nothing that was in its way
-    found = _through_itself(problem, warm)
-    if problem.surroundings.obstacles and not _rests(problem, found):
-        try:
-            found = _from_easier(problem) or found
-        except TimeUpError:
-            if found is None:
-                raise
+    search = _among_obstacles if problem.surroundings.obstacles else _through_itself
+    found = search(problem, warm)
     return None if found is None else apart(problem, found)
 
 
@@ -72,12 +72,34 @@ def followed(problem: Problem, warm: Shape) -> Trial | None:
     return _undisturbed(problem, warm) or contact.resumed(problem, warm)
 
 
+def _among_obstacles(problem, warm):
+    """As it is, or, where that does not come to rest in its part of the time, from cables that are easier to find."""
+    now, deadline, found = time.perf_counter(), problem.deadline, None
+    problem.deadline = now + PLAIN * (deadline - now)
+    with suppress(TimeUpError):
+        found = _through_itself(problem, warm)
+    problem.deadline = deadline
+    if found is not None and found.stable and not problem.surroundings.deepest(found.shape):
+        return found
+    try:
+        return _from_easier(problem) or found
+    except TimeUpError:
+        if found is None:
+            raise
+        return found
+
+
 def _from_easier(problem):
-    """From cables that are shorter or lighter; those that are short and free of all obstacles take the least time."""
+    """From cables that are shorter, lighter or longer; those that are short and free of all obstacles take the least
+    time."""
     return (
         let_out(problem, _free)
         or laden(problem, _through_itself)
+        or drawn_in(problem, _through_itself)
         or let_out(problem, _through_itself, SLACK[:1])
+        or drawn_in(
+            problem, lambda longer, _: let_out(longer, _free) or laden(longer, _through_itself)
+        )
     )
 
 
@@ -96,11 +118,6 @@ def _undisturbed(problem, warm):
     if found is None or (obstacles and not unhindered(problem.on_the_way, warm, found.shape)):
         return None
     return apart(problem, found)
-
-
-def _rests(problem, trial):
-    """Whether it is in equilibrium, and in no obstacle."""
-    return trial is not None and trial.stable and not problem.surroundings.deepest(trial.shape)
 
 
 def apart(problem, trial):

@@ -8,15 +8,10 @@ import numpy as np
 import pytest
 
 from freecad_cable.equilibrium import find_equilibrium
-from freecad_cable.equilibrium.length_design import (
-    FIRST,
-    GROWTH,
-    PATIENCE,
-    PRECISION,
-    ROUGHLY,
-    shortest,
-)
-from freecad_cable.problem import Box, Rod, Scene, Swivel
+from freecad_cable.equilibrium.length_design import GROWTH, PRECISION, ROUGHLY, shortest
+from freecad_cable.equilibrium.length_samples import FIRST, PATIENCE
+from freecad_cable.errors import ProblemError
+from freecad_cable.problem import Box, Free, Ring, Rod, Scene, Swivel
 from freecad_cable.result import Solution
 from freecad_cable.status import Status
 
@@ -97,8 +92,8 @@ def test_where_no_equilibrium_is_found_it_is_said_and_not_looked_for_closely():
     assert low.requirement == high.requirement == "equilibrium"
     assert high.sentence.startswith(f"{high.length:.6g} m is the longest at which an equilibrium")
     assert high.sentence.endswith("Nothing was found.")
-    # 9 until an end is passed, and of a bracket of 0.1 halves until it is ROUGHLY narrow, 7.
-    assert len(asked) <= 9 + 7
+    # 10 until both ends are passed, and of a bracket of 0.03 halves until it is ROUGHLY narrow, 7.
+    assert len(asked) <= 10 + 7
 
 
 def test_it_may_take_much_more_length_until_there_is_an_equilibrium():
@@ -128,9 +123,72 @@ def test_among_obstacles_nothing_is_tried_that_nobody_would_order():
     low, high = shortest(scene(obstacles=(far,)), solve).feasible_lengths
     assert high.requirement is None
     assert high.length == max(length for length, _ in asked) <= 1.5 * asked[0][0]
-    # The longest without obstacles: to the last of such steps before four times the chord.
+    # The longest without obstacles: four times the chord and half a circle of the bend radius.
     _, high = shortest(scene(), solve).feasible_lengths
-    assert 0.8 / GROWTH < high.length <= 0.8
+    assert high.length == pytest.approx(4 * (0.2 + np.pi * LIMIT))
+
+
+def test_one_length_that_no_solver_finds_is_no_shortest():
+    gap = []
+
+    def fails(length):
+        gap.extend([length] if length < 0.24 and not gap else [])
+        return length in gap
+
+    solve, _ = pretended(lambda length: length - 0.21, fails)
+    low, _ = shortest(scene(), solve).feasible_lengths
+    assert gap
+    assert low.length == pytest.approx(0.21, rel=PRECISION)
+    assert low.requirement == "bend radius"
+
+
+def test_the_equilibrium_that_long_cables_leave_for_is_followed_to_short_ones():
+    """On its way up it keeps to one that is never feasible, until at 0.5 m it leaves for one that is from 0.25 m on."""
+    solve, _ = pretended(lambda length: length - 0.25)
+
+    def on_branch(scene, start=None):
+        found = solve(scene)
+        left = scene.rod.length > 0.5 or (start is not None and start.min_clearance == 1.0)
+        if left:
+            return replace(found, min_clearance=1.0)
+        return replace(found, min_bend_radius=(0.5 * LIMIT, 0.1))
+
+    low, _ = shortest(scene(), on_branch).feasible_lengths
+    assert low.length == pytest.approx(0.25, rel=PRECISION)
+
+
+def test_ends_beside_each_other_take_half_a_circle():
+    """Their chord is 20 mm, of which four times would never do."""
+    ends = Swivel([0, 0, 0], [0, 0, -1], place="start"), Swivel([0.02, 0, 0], [0, 0, 1])
+    found = find_equilibrium(replace(scene(), start=ends[0], end=ends[1])).raise_for_status()
+    low, _ = found.feasible_lengths
+    assert low.requirement == "bend radius"
+    assert np.pi * LIMIT < low.length < 4 * np.pi * LIMIT
+
+
+def test_the_spline_may_be_longer_than_what_is_tried():
+    """Down and back, through a ring that a cable need not reach far into."""
+    ring = Ring([0.015, 0, -0.1], [1, 0, 0], 0.09)
+    there = replace(scene(), end=Swivel([0.03, 0, 0], [0, 0, 1]), supports=(ring,))
+    there = replace(there, rod=replace(there.rod, min_bend_radius=0.012))
+    low, _ = find_equilibrium(there).raise_for_status().feasible_lengths
+    assert low.length < 0.13
+
+
+def test_no_length_to_find():
+    with pytest.raises(ProblemError, match="an end is free"):
+        find_equilibrium(replace(scene(), end=Free()))
+    with pytest.raises(ProblemError, match="its ends are at one place"):
+        at_one = replace(scene(), end=Swivel([0, 0, 0], [0, 0, 1]))
+        find_equilibrium(replace(at_one, rod=replace(at_one.rod, min_bend_radius=None)))
+
+
+def test_supports_at_given_places_bound_the_length():
+    """A ring that is 0.25 m along the cable: ones that do not reach to the end from there are no error."""
+    ring = Ring([0.1, 0, -0.1], [1, 0, 0], 0.01, arc_length=0.25)
+    there = replace(scene(), rod=replace(scene().rod, length=0.5))
+    low, _ = find_equilibrium(replace(there, supports=(ring,))).feasible_lengths
+    assert low.length > 0.25 + np.hypot(0.1, 0.1) - 0.007
 
 
 def test_an_end_is_closed_in_on_in_a_few_solves():
