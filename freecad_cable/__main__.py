@@ -3,6 +3,7 @@
 ``python -m freecad_cable study study.json -o rows.csv``: one property of a scene over a range, or a tolerance.
 
 Exit status: 0 converged, 2 the scene or the study is wrong, 3 not solved; of several scenes, values or cases the worst.
+130 stopped by Ctrl-C; the rows of a study until then are written.
 """
 
 import argparse
@@ -11,27 +12,26 @@ import sys
 from pathlib import Path
 
 from .equilibrium import find_equilibrium
-from .errors import ProblemError, SolverMissingError
+from .errors import ProblemError, SolverMissingError, StoppedError
 from .problem.scene_file import read_scene
 from .result.solution_file import solution_data
+from .study import stopping
 from .study.program import rows_and_summary
 from .study.rows_file import as_csv, as_json
 from .study.study_file import read_study
 
 CONVERGED, WRONG_SCENE, NOT_SOLVED = 0, 2, 3
+STOPPED = 130
+"""As shells have it: 128 and the number of the signal."""
 
 
 def main(arguments=None) -> int:
     """Exit status of a command line."""
     options = _parser().parse_args(arguments)
-    if options.command == "study":
-        return _study(options.study, options.output, options.processes)
-    if options.output and len(options.scenes) > 1:
-        return _say("-o takes one scene; use --out-dir for several")
-    worst = CONVERGED
-    for scene in options.scenes:
-        worst = max(worst, _solve(scene, _target(options, scene)))
-    return worst
+    with stopping.waiting():
+        if options.command == "study":
+            return _study(options.study, options.output, options.processes)
+        return _scenes(options)
 
 
 def _parser():
@@ -60,6 +60,18 @@ def _count(text):
     return int(text)
 
 
+def _scenes(options) -> int:
+    if options.output and len(options.scenes) > 1:
+        return _say("-o takes one scene; use --out-dir for several")
+    worst = CONVERGED
+    for scene in options.scenes:
+        try:
+            worst = max(worst, _solve(scene, _target(options, scene)))
+        except StoppedError:
+            return _say(f"{scene}: stopped before it was solved", STOPPED)
+    return worst
+
+
 def _target(options, scene):
     if options.out_dir:
         return options.out_dir / f"{scene.stem}.solution.json"
@@ -68,7 +80,7 @@ def _target(options, scene):
 
 def _solve(path: Path, target: Path | None) -> int:
     try:
-        solution = find_equilibrium(read_scene(_load(path)))
+        solution = find_equilibrium(read_scene(_load(path)), watch=stopping.watch)
     except ProblemError as error:
         return _say(f"{path}: {error}")
     except SolverMissingError as error:
@@ -98,12 +110,17 @@ def _study(path: Path, target: Path | None, processes: int) -> int:
         return _say(f"{path}: {error}")
     except SolverMissingError as error:
         return _say(str(error), NOT_SOLVED)
+    stopped = stopping.pressed()
+    if stopped and not rows:
+        return _say(f"{path}: stopped before the first row; nothing is written", STOPPED)
     if target is not None and target.suffix == ".json":
         text = as_json(study.names, rows, summary)
     else:
         text = as_csv(study.names, rows)
     if not _written(text, target):
         return WRONG_SCENE
+    if stopped:
+        return _say(f"{path}: stopped; {len(rows)} of {study.count} rows are written", STOPPED)
     unsolved = sum(not row.solved for row in rows)
     if unsolved:
         return _say(

@@ -9,8 +9,6 @@ unit, a ``Quantity``, or, of a length or an angle, a number in mm or degrees. Wr
 import re
 from contextlib import contextmanager
 
-from FreeCAD import Units
-
 from ..errors import DocumentError
 from .cable import Cable
 from .cable_type import CHANGED, SOURCED, CableType
@@ -24,6 +22,7 @@ from .stored_solution import nearest_node
 from .study import Study
 from .support import Clamp, Clip, Ring, Sleeve, Support
 from .terminal import Terminal
+from .varied import plain
 
 NEEDS_UNIT = ("Quantity", "Force", "Pressure")
 """A plain number here, unless degrees, would be in FreeCAD's internal unit, which nobody means."""
@@ -170,22 +169,20 @@ def study(doc, cable, *, varied=None, start=None, stop=None, **properties):
     """
     if proxy_of(cable, Cable) is None:
         raise DocumentError(f"The cable is {_said(cable)}; it must be a cable.")
-    obj, path = varied if isinstance(varied, (tuple, list)) else (None, varied)
-    given = _given(varied_property=path, to=_plain("stop", stop))
-    if start is not None:
-        given["from"] = _plain("start", start)
+    obj, path = varied if isinstance(varied, (tuple, list)) and len(varied) == 2 else (None, varied)
+    if not isinstance(path, (str, type(None))) or not hasattr(obj or cable, "Document"):
+        raise DocumentError(f"varied is {varied!r}; it must be a name, or (object, name).")
+    _check_document(doc, obj)
     with _made(doc, "Part::FeaturePython", "Study", Study, container(cable)) as made:
         made.Cable, made.VariedObject = cable, obj
-        _apply(made, given | properties)
+        _apply(made, _given(varied_property=path))
+        for name, key, value in (("start", "from", start), ("stop", "to", stop)):
+            if value is not None:
+                properties[key] = plain(made, name, value)
+        if isinstance(properties.get("values"), (list, tuple)):
+            properties["values"] = [plain(made, "values", each) for each in properties["values"]]
+        _apply(made, properties)
     return made
-
-
-def _plain(name, value):
-    """A number as FreeCAD computes."""
-    try:
-        return Units.Quantity(value).Value if isinstance(value, str) else value
-    except (ArithmeticError, ValueError):
-        raise DocumentError(f"{name} is {value!r}; it must be a number with its unit.") from None
 
 
 def _support(doc, kind, reference, position, inside, properties):

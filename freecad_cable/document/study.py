@@ -41,7 +41,8 @@ SETTINGS = (
         "VariedProperty",
         "String",
         "Values",
-        "The number: Length, Placement.Base.x, Constraints.width, or a cell of a spreadsheet",
+        "The number: Length, Placement.Base.x, Constraints.width, or a cell of a spreadsheet; of the cable also "
+        "StiffnessScale, a factor of its stiffness, and GravityTurn.x, y or z, degrees",
         "Length",
     ),
     Prop("From", "Float", "Values", "First value, as FreeCAD computes: mm, degrees", 0.0),
@@ -138,6 +139,14 @@ class Study(Child):
         *RESULTS,
         Prop("Sheet", "LinkHidden", "Result", "Spreadsheet with a row for each value", result=True),
         Prop(
+            "SheetSize",
+            "IntegerList",
+            "Result",
+            "Columns and rows of the spreadsheet that are of the study; the other cells are the user's",
+            result=True,
+            hidden=True,
+        ),
+        Prop(
             "Plot", "FileIncluded", "Result", "The rows as a drawing, SVG", result=True, hidden=True
         ),
         Prop(
@@ -220,8 +229,13 @@ def inputs(study, cable, scene) -> str:
     plain = [getattr(value, "Value", value) for value in settings]
     # Which obstacles other values reach, only they can tell, so here all that stand around count, if roughly.
     around = read_boxes(cable) if study.Kind == "Values" else []
+    # How other numbers follow from the one that is varied changes all other rows.
+    follows = []
+    if study.Kind == "Values":
+        ground = sorted([cable, *cable.OutListRecursive], key=lambda obj: obj.Name)
+        follows = [(obj.Name, obj.ExpressionEngine) for obj in ground if obj.ExpressionEngine]
     varied = getattr(study.VariedObject, "Name", "")
-    return fingerprint([scene, plain, varied, fingerprint(around, PLACE_DECIMALS)])
+    return fingerprint([scene, plain, varied, follows, fingerprint(around, PLACE_DECIMALS)])
 
 
 def values(study) -> list[float]:

@@ -2,7 +2,6 @@
 """The rows of a study as a native spreadsheet, and as a drawing."""
 
 import math
-from itertools import count, takewhile
 
 import numpy as np
 
@@ -35,26 +34,48 @@ LAST = 2000
 
 
 def write(study, names, rows):
-    """Fill the spreadsheet of a study, a new one if it has none."""
+    """Put the rows of a study in the place of those of its last run. All other cells of its spreadsheet are the user's:
+    where one is in the way, as where there is no spreadsheet, the rows go into a new one."""
+    heads = [f"'{head}" for head in (*names, *(head for head, *_ in COLUMNS), "Note")]
+    lines = [heads]
+    lines += ([*map(_number, row.values), *_cells(study.Cable, row)] for row in rows[:LAST])
+    if len(rows) > LAST:
+        lines.append([f"'and {len(rows) - LAST} more"])
+    size = len(heads), len(lines)
+    before, after = _area(*(study.SheetSize or (0, 0))), _area(*size)
     sheet = study.Sheet
-    if sheet is None or sheet.TypeId != "Spreadsheet::Sheet":
+    if not _has_room(sheet, after - before):
         sheet = study.Sheet = study.Document.addObject("Spreadsheet::Sheet", f"{study.Name}Rows")
         sheet.Label = f"{study.Label} rows"
-    sheet.clearAll()
-    heads = [*names, *(head for head, *_ in COLUMNS), "Note"]
-    for column, head in enumerate(heads):
-        sheet.set(f"{_letters(column)}1", f"'{head}")
+        before = set()
+    coloured = len(names) == 1
+    # A cell that is cleared loses the name that the user may have given it, so only where it goes, or its colour.
+    for cell in before - (after if coloured else after - _area(1, len(lines))):
+        sheet.clear(cell)
+    for number, line in enumerate(lines, 1):
+        for column, text in enumerate(line):
+            cell = f"{_letters(column)}{number}"
+            if text or cell in before:
+                sheet.set(cell, text)
     sheet.setStyle(f"A1:{_letters(len(heads) - 1)}1", "bold")
-    colours = scale([row.values[0] for row in rows])
-    for number, row in enumerate(rows[:LAST], 2):
-        for column, text in enumerate([*map(_number, row.values), *_cells(study.Cable, row)]):
-            if text:
-                sheet.set(f"{_letters(column)}{number}", text)
-        if len(names) == 1:
-            sheet.setBackground(f"A{number}", (*colours[number - 2], 0.5))
-    if len(rows) > LAST:
-        sheet.set(f"A{LAST + 2}", f"'and {len(rows) - LAST} more")
+    if coloured:
+        for number, colour in enumerate(scale([row.values[0] for row in rows])[:LAST], 2):
+            sheet.setBackground(f"A{number}", (*colour, 0.5))
+    study.SheetSize = size
     sheet.recompute()
+
+
+def _area(width, height):
+    """Names of the cells of a table."""
+    columns = [_letters(column) for column in range(width)]
+    return {f"{letters}{row}" for letters in columns for row in range(1, height + 1)}
+
+
+def _has_room(sheet, cells):
+    """Whether it is a spreadsheet in which these are empty."""
+    if sheet is None or sheet.TypeId != "Spreadsheet::Sheet":
+        return False
+    return not any(sheet.getContents(cell) for cell in cells)
 
 
 def note(cable, row) -> str:
@@ -73,11 +94,11 @@ def columns(study) -> dict[str, list[str]]:
         except ValueError:
             return said
 
-    found = {}
-    lines = next(row for row in count(2) if not text(0, row))
-    for column in takewhile(lambda column: text(column, 1), count()):
-        found[text(column, 1)] = [text(column, row) for row in range(2, lines)]
-    return found
+    width, height = study.SheetSize
+    return {
+        text(column, 1): [text(column, row) for row in range(2, height + 1)]
+        for column in range(width)
+    }
 
 
 def _cells(cable, row):

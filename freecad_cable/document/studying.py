@@ -26,14 +26,14 @@ from ..study import (
 )
 from ..study import run as run_cases
 from ..study.cases import Verdict, solution
-from ..study.motion import close_together
+from ..study.motion import apart, close_together
 from ..study.variation import held_within, longer
 from . import study_sheet
 from .complaint import of_study
 from .property_table import reset, wrong
 from .stored_solution import fingerprint, kept
 from .study import held_tolerances, inputs, read_studied, solved_cable, values
-from .varied import Family, Kept, Varied
+from .varied import Family, Kept, varied_by
 
 
 def run(study, executor=None):
@@ -55,6 +55,10 @@ def run(study, executor=None):
         _fail(study, str(of_study(study, error)))
     except CableError as error:
         _fail(study, str(error))
+    except ReferenceError:
+        _fail(
+            study, f"{study.Label}: what it needs was deleted while it ran; all else is as it was."
+        )
     except FreeCAD.Base.FreeCADAbort:
         _fail(study, f"{study.Label} was stopped; the document is as it was.")
     except Exception as error:
@@ -79,8 +83,8 @@ def _run_values(study):
             "FindNeededLength",
             "is on, but an end is free, so that any length would do; turn it off, or hold both ends.",
         )
-    varied = Varied(study, study.VariedObject or cable, study.VariedProperty)
-    needed = None
+    varied = varied_by(study)
+    needed, notes = None, []
     # It is asked for Escape only while it goes on, so it has as many steps as it takes.
     count = len(wanted) * (2 if study.FindNeededLength else 1)
     with Kept(varied), _progress(study, count) as tick:
@@ -98,9 +102,14 @@ def _run_values(study):
         drawn = steps
         if study.Draw == "Envelope":
             drawn = close_together(family.scene, steps, scene.rod.radius, tick)
+            notes += _open(drawn, 2 * scene.rod.radius)
         if study.FindNeededLength:
             scene_at = partial(family.scene, asks_length=True)
-            needed = needed_length(scene_at, wanted, tick=tick)
+            try:
+                needed = needed_length(scene_at, wanted, tick=tick)
+            except CableError as error:
+                sentence = of_study(study, error) if isinstance(error, ProblemError) else error
+                notes.append(f"No length will do everywhere. {sentence}")
     found = motion(steps)
     reset(study, study.Proxy.TABLE)
     _draw(study, scene.rod.radius, [(step.value, step.solution) for step in drawn if step.solved])
@@ -120,18 +129,32 @@ def _run_values(study):
     if needed is not None:
         study.NeededLength, study.NeededLengthValue = from_si("length", needed.length), needed.value
         study.AllowedLength = from_si("length", needed.longest)
+        if not needed.feasible:
+            notes.append(
+                f"No length will do everywhere: {needed.value:.6g} needs {study.NeededLength.UserString}, and "
+                f"{needed.longest_value:.6g} allows {study.AllowedLength.UserString}."
+            )
     study.JumpValues = [jump.value for jump in found.jumps]
     rows = [step.row for step in steps]
     said = [study_sheet.note(cable, row) for row in rows]
-    study.Notes = [
+    study.Notes = notes + [
         f"{row.values[0]:.6g}: {text}" for row, text in zip(rows, said, strict=True) if text
     ]
     name = f"{varied.path} [{varied.unit_text}]" if varied.unit_text else varied.path
-    if varied.obj is not cable:
-        name = f"{varied.obj.Label} {name}"
+    if study.VariedObject not in (None, cable):
+        name = f"{study.VariedObject.Label} {name}"
     study_sheet.write(study, [name], rows)
     _plot(study, study_sheet.plot(study, name, rows, found.jumps, scene.rod.min_bend_radius))
     _finish(study, cable, scene)
+
+
+def _open(steps, diameter):
+    """Notes on gaps of an envelope through which the cable could slip unseen."""
+    for before, after, moved in apart(steps, diameter):
+        yield (
+            f"The envelope is open between {before:.6g} and {after:.6g}: there shapes next to each other are up to "
+            f"{from_si('length', moved):.3g} mm apart."
+        )
 
 
 def _check_effect(study, family, wanted):

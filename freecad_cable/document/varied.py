@@ -9,6 +9,7 @@ from FreeCAD import Units
 
 from ..errors import DocumentError
 from ..problem import Scene
+from .made_up import DEGREES, FACTORS, MadeUp
 from .property_table import wrong
 from .read_scene import read_scene
 
@@ -28,13 +29,18 @@ class Varied:
         self.study, self.obj, self.path = study, obj, path
         self.names = path.split(".")
         self.cell = _cell(obj, path)
+        if not path:
+            raise wrong(study, "VariedProperty", "is empty; name a number, as Length.")
         value = self._get()
         if isinstance(value, bool) or not isinstance(value, (int, float, Units.Quantity)):
             raise self._wrong(
                 f"of {obj.Label} is {value!r}, which is no number; choose a numeric one."
             )
-        self.whole = isinstance(value, int)
+        # A cell with a whole number takes any.
+        self.whole = isinstance(value, int) and not self.cell
         self.unit = value.Unit if isinstance(value, Units.Quantity) else None
+        if self.unit == Units.Unit():
+            self.unit = None
 
     @property
     def unit_text(self) -> str:
@@ -49,19 +55,24 @@ class Varied:
             self._put(value)
         except (ArithmeticError, AttributeError, RuntimeError, TypeError, ValueError) as error:
             raise self._wrong(f"of {self.obj.Label} does not take {value:.6g}: {error}") from None
-        self.check(value)
+        if not self.cell:
+            self.check(value)
 
     def check(self, value):
-        """Whether the number is what it was set to: FreeCAD bounds many silently, and a recompute may set others.
-        Errors: ``DocumentError`` if not."""
-        if self.cell:
-            return
+        """Whether the number is what it was set to: FreeCAD bounds many silently, and a recompute, without which a
+        cell is not computed, may set others. Errors: ``DocumentError`` if not."""
         now = self._get()
         now = getattr(now, "Value", now)
-        if not math.isclose(now, value, rel_tol=TAKEN, abs_tol=TAKEN):
-            raise self._wrong(
-                f"of {self.obj.Label} became {now:.6g} where {value:.6g} was set; give values that it can take."
-            )
+        if isinstance(now, (int, float)) and math.isclose(now, value, rel_tol=TAKEN, abs_tol=TAKEN):
+            return
+        became = f"{now:.6g}" if isinstance(now, (int, float)) else repr(now)
+        raise self._wrong(
+            f"of {self.obj.Label} became {became} where {value:.6g} was set; give values that it can take."
+        )
+
+    def of(self, scene: Scene, _) -> Scene:
+        """A scene that was read with this value."""
+        return scene
 
     def release(self):
         """Take away what else gives the number its value; (path, expression) to put back."""
@@ -80,6 +91,10 @@ class Varied:
         if self.names[0] == "Constraints" and len(self.names) == 2:
             with suppress(NameError, ValueError, RuntimeError):
                 return self.obj.getDatum(self.names[1])
+        # Expressions know units that Python does not: lengths in a placement, degrees of its angle. But they take what
+        # has the name of a unit for that.
+        with suppress(RuntimeError, FreeCAD.Base.FreeCADError):
+            return self.obj.evalExpression(self.path)
         value = self.obj
         for name in self.names:
             value = getattr(value, name, None)
@@ -89,15 +104,49 @@ class Varied:
         value = round(value) if self.whole else value
         if self.cell:
             number = value if self.unit is None else Units.Quantity(value, self.unit)
-            text = repr(value) if self.unit is None else f"{value!r} {self.unit_text}"
+            # FreeCAD reads no product above a line.
+            above, line, below = self.unit_text.partition("/")
+            text = f"{value!r} {above.replace('*', ' * 1 ')}{line}{below}".strip()
             self.obj.set(self.cell, f"={text}" if number else text)
         elif self.names[0] == "Constraints" and len(self.names) == 2:
             self.obj.setDatum(self.names[1], Units.Quantity(value, self.unit))
         else:
+            if self.names[-2:] == ["Rotation", "Angle"]:
+                value = math.radians(value)
             _assign(self.obj, self.names, value)
 
     def _wrong(self, complaint):
         return wrong(self.study, "VariedProperty", f"{self.path} {complaint}")
+
+
+def varied_by(study) -> Varied | MadeUp:
+    """What a study varies. Errors: ``DocumentError``."""
+    obj, path = study.VariedObject or study.Cable, study.VariedProperty
+    if obj is study.Cable and path in FACTORS | DEGREES:
+        return MadeUp(path)
+    return Varied(study, obj, path)
+
+
+def plain(study, name, given) -> float:
+    """A value for what a study varies, as FreeCAD computes, from a number or from a quantity ("500 mm"). Errors:
+    ``DocumentError``."""
+    number = given
+    with suppress(ArithmeticError, ValueError):
+        number = Units.Quantity(given) if isinstance(given, str) else given
+    if isinstance(number, Units.Quantity):
+        if number.Unit != Units.Unit():
+            varied = varied_by(study)
+            if number.Unit != varied.unit:
+                of = (
+                    f"a number with the unit {varied.unit_text}"
+                    if varied.unit
+                    else "a plain number"
+                )
+                raise DocumentError(f"{name} is {given}, and {varied.path} is {of}; give one.")
+        number = number.Value
+    if isinstance(number, bool) or not isinstance(number, (int, float)):
+        raise DocumentError(f"{name} is {given!r}; it must be a number with its unit.")
+    return float(number)
 
 
 def _cell(obj, path):
@@ -129,7 +178,7 @@ class Kept:
         self.touched, self.invalid = _in_state("Touched"), _in_state("Invalid")
         self.contents = varied.cell and varied.obj.getContents(varied.cell)
         FreeCAD.addDocumentObserver(self)
-        self.value = varied._get()
+        self.value = varied.names[0] == "Constraints" and varied._get()
         self.expressions = varied.release()
         return self
 
@@ -155,6 +204,7 @@ class Kept:
         self._put_back()
         self._recompute_failed()
         self._put_back()
+        self._recompute_sheets()
         for document, name in _in_state("Touched") - self.touched:
             FreeCAD.getDocument(document).getObject(name).purgeTouched()
 
@@ -165,6 +215,17 @@ class Kept:
                 with suppress(AttributeError, RuntimeError, TypeError, ValueError):
                     if getattr(obj, prop) != value:
                         setattr(obj, prop, value)
+
+    def _recompute_sheets(self):
+        """Cells are computed from what is as it was now."""
+        for name, document in FreeCAD.listDocuments().items():
+            changed = {key[1] for key in self.before if key[0] == name}
+            sheets = [obj for obj in document.Objects if obj.Name in changed]
+            sheets = [obj for obj in sheets if obj.TypeId == "Spreadsheet::Sheet"]
+            for obj in sheets:
+                obj.touch()
+            if sheets:
+                document.recompute(sheets)
 
     def _recompute_failed(self):
         """What failed at the last value would be in error with every property as it was."""
@@ -211,4 +272,4 @@ class Family:
                 )
         for path, text in self.cable.ExpressionEngine:
             _assign(self.cable, path.lstrip(".").split("."), self.cable.evalExpression(text))
-        return read_scene(self.cable, asks_length)
+        return self.varied.of(read_scene(self.cable, asks_length), value)

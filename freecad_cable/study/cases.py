@@ -6,7 +6,7 @@ the rows do not depend on who solves them and in which order.
 """
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from time import perf_counter
@@ -85,21 +85,26 @@ def _varied(variations):
 
 
 def run(
-    scene: Scene, cases: Cases, *, start: Solution | None = None, executor: Executor | None = None
+    scene: Scene,
+    cases: Cases,
+    *,
+    start: Solution | None = None,
+    executor: Executor | None = None,
+    watch: Callable[[str], None] | None = None,
 ) -> Iterator[Row]:
     """A row for each case, in order. ``start`` is the solution of ``scene``, found if None.
 
     ``executor`` is any of ``concurrent.futures``, or the like, as ``get_executor()`` of a Dask client; None: here. A
-    caller that wants no more rows closes the iterator, and what is not begun yet is not solved.
+    caller that wants no more rows closes the iterator, and what is not begun yet is not solved. ``watch`` is that of
+    ``find_equilibrium``, called where a case is solved, so with an executor it is sent there.
     """
     if start is None:
-        start = find_equilibrium(scene)
+        start = find_equilibrium(scene, watch=watch)
     starts = range(0, cases.count, CHUNK)
-    chunks = ((scene, cases, start, a, min(a + CHUNK, cases.count)) for a in starts)
     if executor is None:
-        for chunk in chunks:
-            yield from (_row(*chunk[:3], index) for index in range(*chunk[3:]))
+        yield from (_row(scene, cases, start, index, watch) for index in range(cases.count))
         return
+    chunks = ((scene, cases, start, a, min(a + CHUNK, cases.count), watch) for a in starts)
     futures = deque()
     try:
         for chunk in chunks:
@@ -113,20 +118,22 @@ def run(
             future.cancel()
 
 
-def solve_chunk(scene, cases, start, first, last) -> list[Row]:
+def solve_chunk(scene, cases, start, first, last, watch=None) -> list[Row]:
     """Rows of the cases from ``first`` to before ``last``; what a worker does."""
-    return [_row(scene, cases, start, index) for index in range(first, last)]
+    return [_row(scene, cases, start, index, watch) for index in range(first, last)]
 
 
-def solution(scene: Scene, cases: Cases, index: int, start: Solution | None) -> Solution:
+def solution(
+    scene: Scene, cases: Cases, index: int, start: Solution | None, watch=None
+) -> Solution:
     """The shape of a case, as the worst one, to look at. Errors: ``ProblemError`` if it has no scene."""
-    return find_equilibrium(cases.scene(scene, index), start=start)
+    return find_equilibrium(cases.scene(scene, index), start=start, watch=watch)
 
 
-def _row(scene, cases, start, index) -> Row:
+def _row(scene, cases, start, index, watch) -> Row:
     begin = perf_counter()
     try:
-        found, error = solution(scene, cases, index, start), ""
+        found, error = solution(scene, cases, index, start, watch), ""
     except ProblemError as wrong:
         found, error = None, f"{wrong}."
     return Row.of(cases.values(index), found, time=perf_counter() - begin, error=error)

@@ -3,6 +3,7 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
@@ -107,8 +108,10 @@ def _allowed(scene, solution, length, solve):
     if longest.length >= length or longest.requirement not in (None, "equilibrium"):
         return longest.length
     there = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
-    holds = Row.of((), solve(there, start=solution)).holds
-    return length if holds else longest.length
+    found = solve(there, start=solution)
+    # As in the search, one that lies in a loop on itself is none to order.
+    loops = any(contact.obstacle is None for contact in found.contacts)
+    return length if Row.of((), found).holds and not loops else longest.length
 
 
 def envelope(solutions: Iterable[Solution], spacing: float) -> np.ndarray:
@@ -131,23 +134,48 @@ def close_together(
     scene_at: Callable[[float], Scene], steps: list[Step], spacing: float, tick=lambda: None
 ) -> list[Step]:
     """The steps of a path with as many between them as it takes for no node to move farther than ``spacing`` [m]
-    from one to the next; what jumps stays apart. ``tick`` is called for each that is added."""
+    from one to the next, as far as ``MOST_SHAPES`` do; what jumps stays apart. ``tick`` is called for each that is
+    added."""
     found = []
     for step in steps:
         last = next((each for each in reversed(found) if each.solved), None)
-        if last is not None and step.solved and not step.jumps:
-            found += _between(scene_at, last, step, spacing, MOST_SHAPES - len(found), tick)
+        if last is not None and step.solved:
+            more = MOST_SHAPES - len(steps) - len(found)
+            found += _between(scene_at, last, step, spacing, more, tick)
         found.append(step)
     return found
+
+
+def apart(steps: list[Step], spacing: float) -> list[tuple[float, float, float]]:
+    """Values of steps next to each other between which a node moves farther than ``spacing`` [m], and how far [m]."""
+    solved = [step for step in steps if step.solved]
+    moved = [(one.value, other.value, _moved(one, other)) for one, other in pairwise(solved)]
+    return [each for each in moved if each[2] > spacing]
+
+
+def _moved(one, other):
+    return change(one.solution, other.solution)[0] * other.solution.arc_length[-1]
 
 
 def _between(scene_at, one, other, spacing, most, tick):
-    length = one.solution.arc_length[-1]
-    moved = change(one.solution, other.solution)[0] * length
-    count = min(int(np.ceil(moved / spacing)), max(most, 1))
-    inside = np.linspace(one.value, other.value, count + 1)[1:-1]
-    found = []
-    for step in follow(scene_at, inside, start=one.solution):
+    """Steps between two, each half way between its neighbours; between the two values that a jump is known by there
+    are none."""
+    known = [(jump.before, jump.after) for jump in other.jumps]
+    found, waiting = [], [(one, other)]
+    while waiting:
+        before, after = waiting.pop()
+        low, high = sorted((before.value, after.value))
+        inside = any(low <= min(jump) and max(jump) <= high for jump in known)
+        width = max((abs(a - b) for a, b in known), default=0.0)
+        if (
+            _moved(before, after) <= spacing
+            or len(found) >= most
+            or (inside and high - low <= width)
+        ):
+            continue
+        (step,) = follow(scene_at, [(low + high) / 2], start=before.solution)
         tick()
-        found.append(step)
-    return found
+        if step.solved:
+            found.append(step)
+            waiting += [(before, step), (step, after)]
+    return sorted(found, key=lambda step: step.value, reverse=one.value > other.value)

@@ -27,8 +27,8 @@ PRECISION = 1e-3
 SMALL = 2e-3
 """Change of shape below which two equilibria are one: some ten times what the tolerance of a solve leaves between
 meshes (1e-4 of the length, and in turns as much)."""
-FIRST = 0.05
-"""Change in a first step, where no rate is known, up to which nothing is suspected."""
+FURTHER = 0.05
+"""Change beyond a jump, up to which nothing more is suspected: what has buckled moves fast."""
 FASTER = 2.5
 """How much faster than in the step before the shape may change. Before a fold it changes like the square root of
 the distance to it, and a step that goes half the way there doubles the rate."""
@@ -152,17 +152,19 @@ class _Walk:
             if not solution.status.success:
                 return solution
             changed = change(before, solution)
-            if (changed <= self._allowed(step)).all():
-                self.rate = changed / step if step else self.rate
+            if self._is_smooth(value, solution, changed):
                 return solution
             if fine:
                 return self._left(scene, value, solution, changed, jumps)
         middle = (here + value) / 2
         try:
-            half = self._reached(self.scene_at(middle), middle, jumps)
+            between = self.scene_at(middle)
         except (ProblemError, DocumentError):
-            half = None
-        if half is None or not half.status.success:
+            # Between two whole numbers there is none, and nothing is known of the way.
+            self.rate = None
+            return self._solved(scene)
+        half = self._reached(between, middle, jumps)
+        if not half.status.success:
             return self._beyond(scene, value, jumps)
         self.here = middle, half
         return self._reached(scene, value, jumps)
@@ -198,15 +200,34 @@ class _Walk:
             return solution
         # The nearest equilibrium at the end of the bracket may be another one than a longer step had found.
         solution = self._solved(scene)
-        if solution.status.success and (further := change(after, solution).max()) > FIRST:
+        if solution.status.success and (further := change(after, solution).max()) > FURTHER:
             jumps.append(Jump(high, value, float(further)))
         return solution
 
-    def _allowed(self, step):
-        """(2,) change that raises no suspicion."""
-        if self.rate is None:
-            return np.full(2, FIRST)
-        return np.maximum(SMALL, FASTER * self.rate * step)
+    def _is_smooth(self, value, solution, changed):
+        """Whether nothing speaks for a jump on the way to a value: the shape changes as fast as before, or, where that
+        is not known, in both halves of the way alike."""
+        here, before = self.here
+        step = abs(value - here)
+        if self.rate is not None:
+            smooth = (changed <= np.maximum(SMALL, FASTER * self.rate * step)).all()
+            self.rate = changed / step if smooth and step else self.rate
+            return smooth
+        if (changed <= SMALL).all():
+            return True
+        try:
+            scene = self.scene_at((here + value) / 2)
+        except (ProblemError, DocumentError):
+            return True  # there is nothing between to tell
+        self.solves += 1
+        middle = self.solve(scene, start=before)
+        if not middle.status.success:
+            return False
+        halves = [change(before, middle), change(middle, solution)]
+        less, more = np.sort(halves, axis=0)
+        smooth = (more <= np.maximum(SMALL, FASTER * less)).all()
+        self.rate = 2 * halves[1] / step if smooth else None
+        return smooth
 
 
 def change(one: Solution, other: Solution) -> np.ndarray:

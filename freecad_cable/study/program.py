@@ -2,35 +2,49 @@
 """A study from its file to its rows and its summary, as the command line runs it."""
 
 import math
-import multiprocessing
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor
+from contextlib import nullcontext, suppress
 from dataclasses import asdict
+from functools import partial
 
+from ..equilibrium import find_equilibrium
+from ..errors import ProblemError, StoppedError
 from .cases import Verdict, run
 from .motion import motion, needed_length
 from .path import follow
 from .row import Row
+from .stopping import watch, workers
 from .study_file import PathStudy, ToleranceStudy
 
 
 def rows_and_summary(
     study: PathStudy | ToleranceStudy, processes: int, say: Callable[[str], None]
 ) -> tuple[list[Row], dict]:
-    """``say`` is told how far it is. Errors: ``ProblemError``, ``SolverMissingError``."""
+    """``say`` is told how far it is. Inside ``stopping.waiting``, Ctrl-C ends it with the rows that there are. Errors:
+    ``ProblemError``, ``SolverMissingError``."""
     if isinstance(study, ToleranceStudy):
         return _tolerance(study, processes, say)
-    steps = []
-    for step in follow(study.scene_at, study.values, precision=study.precision):
-        steps.append(step)
-        say(f"{len(steps)}/{len(study.values)} {study.names[0]} = {step.value:.6g}{_said(step)}")
-    summary = {}
-    if any(step.solved for step in steps):
-        summary = asdict(motion(steps))
-    if study.needed_length:
-        say("the length that all values need")
-        summary["needed_length"] = asdict(needed_length(study.scene_at, study.values))
-    return [step.row for step in steps], _finite(summary)
+    solve = partial(find_equilibrium, watch=watch)
+    steps, needed = [], {}
+    with suppress(StoppedError):
+        for step in follow(study.scene_at, study.values, precision=study.precision, solve=solve):
+            steps.append(step)
+            say(f"{len(steps)}/{study.count} {study.names[0]} = {step.value:.6g}{_said(step)}")
+            watch()
+        if study.needed_length:
+            say("the length that all values need")
+            needed = {"needed_length": _needed(study, solve, say)}
+    summary = asdict(motion(steps)) if any(step.solved for step in steps) else {}
+    return [step.row for step in steps], _finite(summary | needed)
+
+
+def _needed(study, solve, say):
+    try:
+        found = needed_length(study.scene_at, study.values, solve=solve)
+    except ProblemError as error:
+        say(f"no length will do everywhere: {error}")
+        return None
+    return asdict(found) | {"feasible": found.feasible}
 
 
 def _said(step):
@@ -39,21 +53,16 @@ def _said(step):
 
 
 def _tolerance(study, processes, say):
-    rows, count = [], study.cases.count
+    rows, count = [], study.count
     every = max(1, count // 100)
-    executor = None
-    if processes > 1:
-        # A fresh interpreter each: a copy of one that has threads may stand still.
-        context = multiprocessing.get_context("spawn")
-        executor = ProcessPoolExecutor(processes, mp_context=context)
-    try:
-        for row in run(study.scene, study.cases, executor=executor):
+    with suppress(StoppedError), workers(processes) if processes > 1 else nullcontext() as executor:
+        for row in run(study.scene, study.cases, executor=executor, watch=watch):
             rows.append(row)
             if len(rows) % every == 0 or len(rows) == count:
                 say(f"{len(rows)}/{count} cases, {sum(r.holds for r in rows)} hold")
-    finally:
-        if executor is not None:
-            executor.shutdown(cancel_futures=True)
+            watch()
+    if not rows:
+        return rows, {}
     verdict = Verdict.of(rows)
     summary = asdict(verdict) | {"share": verdict.share}
     if study.cases.seed is not None:

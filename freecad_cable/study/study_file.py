@@ -39,6 +39,10 @@ class PathStudy:
     def names(self):
         return (_name(self.parameter),)
 
+    @property
+    def count(self) -> int:
+        return len(self.values)
+
 
 @dataclass(frozen=True, eq=False)
 class ToleranceStudy:
@@ -50,6 +54,10 @@ class ToleranceStudy:
     @property
     def names(self):
         return tuple(_name(each.parameter) for each in self.cases.variations)
+
+    @property
+    def count(self) -> int:
+        return self.cases.count
 
 
 def read_study(data, load: Callable) -> PathStudy | ToleranceStudy:
@@ -91,6 +99,11 @@ def read_parameter(place, data) -> Parameter:
 
 def _values(path):
     if "values" in path:
+        for name in ("from", "to", "count"):
+            if name in path:
+                raise ProblemError(
+                    f"path.{name}", "is given beside values; give from, to and count, or values"
+                )
         values = path["values"]
         if not isinstance(values, list) or not 1 <= len(values) <= MOST:
             raise ProblemError("path.values", f"is {shown(values)}; it must be a list of numbers")
@@ -99,11 +112,10 @@ def _values(path):
         if name not in path:
             raise ProblemError(f"path.{name}", "is missing; give from, to and count, or values")
     count = _whole("path.count", path["count"], 2)
-    return tuple(
-        np.linspace(
-            number("path.from", path["from"]), number("path.to", path["to"]), count
-        ).tolist()
-    )
+    first, last = (number(f"path.{name}", path[name]) for name in ("from", "to"))
+    if first == last:
+        raise ProblemError("path.to", f"is {last:g} and so is from; give a range, or values")
+    return tuple(np.linspace(first, last, count).tolist())
 
 
 def _cases(scene, data):

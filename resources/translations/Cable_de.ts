@@ -368,8 +368,8 @@
       <translation>Der Unterschied, relativ zur Länge des Kabels</translation>
     </message>
     <message>
-      <source>The number: Length, Placement.Base.x, Constraints.width, or a cell of a spreadsheet</source>
-      <translation>Die Zahl: Length, Placement.Base.x, Constraints.width oder eine Zelle einer Tabelle</translation>
+      <source>The number: Length, Placement.Base.x, Constraints.width, or a cell of a spreadsheet; of the cable also StiffnessScale, a factor of its stiffness, and GravityTurn.x, y or z, degrees</source>
+      <translation>Die Zahl: Length, Placement.Base.x, Constraints.width oder eine Zelle einer Tabelle; vom Kabel auch StiffnessScale, ein Faktor seiner Steifigkeit, und GravityTurn.x, y oder z, Grad</translation>
     </message>
     <message>
       <source>The object that has the number, a joint or a sheet as well; empty: the cable</source>
@@ -1596,6 +1596,14 @@
       <translation>Keine Länge bis {1} genügt. Am besten ist {2}, aber {3}; eine Grenze, die diese Länge einhält, andere Enden oder Halterungen oder ein weicheres Kabel würden helfen</translation>
     </message>
     <message>
+      <source>No length will do everywhere. {1}</source>
+      <translation>Keine Länge genügt überall. {1}</translation>
+    </message>
+    <message>
+      <source>No length will do everywhere: {1} needs {2}, and {3} allows {4}</source>
+      <translation>Keine Länge genügt überall: {1} braucht {2}, und {3} erlaubt {4}</translation>
+    </message>
+    <message>
       <source>No results yet; Run Study makes them</source>
       <translation>Noch keine Ergebnisse; der Befehl „Studie“ macht sie</translation>
     </message>
@@ -1674,6 +1682,10 @@
     <message>
       <source>The cable's shape would have {1} times the volume of its length. Solve with more elements</source>
       <translation>Die Form des Kabels hätte das {1}-Fache des Volumens seiner Länge. Mit mehr Elementen lösen</translation>
+    </message>
+    <message>
+      <source>The envelope is open between {1} and {2}: there shapes next to each other are up to {3} mm apart</source>
+      <translation>Die Hülle ist zwischen {1} und {2} offen: dort liegen benachbarte Formen bis zu {3} mm auseinander</translation>
     </message>
     <message>
       <source>The position error is estimated at {1} of the length; {2} was asked for</source>
@@ -1792,6 +1804,14 @@
       <translation>eine Liste von Listen mit 3 ganzen Zahlen</translation>
     </message>
     <message>
+      <source>a number with the unit {1}</source>
+      <translation>eine Zahl mit der Einheit {1}</translation>
+    </message>
+    <message>
+      <source>a plain number</source>
+      <translation>eine Zahl ohne Einheit</translation>
+    </message>
+    <message>
       <source>a spline needs two points or more, each apart from the one before</source>
       <translation>ein Spline braucht zwei oder mehr Punkte, jeden getrennt vom vorigen</translation>
     </message>
@@ -1826,6 +1846,10 @@
     <message>
       <source>are {1}; at most {2} can be solved; divide the cable at a clamp</source>
       <translation>sind {1}; höchstens {2} können gelöst werden; das Kabel an einer Klemme teilen</translation>
+    </message>
+    <message>
+      <source>asks for a length, but {1}, so that any will do; give one</source>
+      <translation>fragt nach einer Länge, aber {1}, sodass jede genügt; eine angeben</translation>
     </message>
     <message>
       <source>at least {1} lists of 3 numbers</source>
@@ -1990,6 +2014,10 @@
     <message>
       <source>is empty; it must have at least 1 row</source>
       <translation>ist leer; es muss mindestens 1 Zeile haben</translation>
+    </message>
+    <message>
+      <source>is empty; name a number, as Length</source>
+      <translation>ist leer; eine Zahl nennen, etwa Length</translation>
     </message>
     <message>
       <source>is free; a route needs both ends held</source>
@@ -2232,6 +2260,10 @@
       <translation>es läuft schräg durch einen Ring und ist {1} mm im Rand des Lochs; es wurde keine Form gefunden, die ihn frei lässt, daher das Loch weiten oder die Länge oder den Ring ändern</translation>
     </message>
     <message>
+      <source>its ends are at one place</source>
+      <translation>seine Enden sind am selben Ort</translation>
+    </message>
+    <message>
       <source>its length</source>
       <translation>seine Länge</translation>
     </message>
@@ -2436,6 +2468,10 @@
       <translation>Torsion</translation>
     </message>
     <message>
+      <source>what it needs was deleted while it ran; all else is as it was</source>
+      <translation>was sie braucht, wurde gelöscht, während sie lief; alles andere ist, wie es war</translation>
+    </message>
+    <message>
       <source>what the {1} stretches between clamps have to do with each other: each is solved alone (exact)</source>
       <translation>was die {1} Stücke zwischen Klemmen miteinander zu tun haben: jedes wird einzeln gelöst (exakt)</translation>
     </message>
@@ -2522,6 +2558,14 @@
     <message>
       <source>{1} is the {2} that was tried</source>
       <translation>{1} ist die {2} Länge, die versucht wurde</translation>
+    </message>
+    <message>
+      <source>{1} is {2}, and {3} is {4}; give one</source>
+      <translation>{1} ist {2}, und {3} ist {4}; eine solche angeben</translation>
+    </message>
+    <message>
+      <source>{1} is {2}; it must be a number with its unit</source>
+      <translation>{1} ist {2}; es muss eine Zahl mit ihrer Einheit sein</translation>
     </message>
     <message>
       <source>{1} of {2} cases hold</source>

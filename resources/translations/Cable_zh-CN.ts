@@ -368,8 +368,8 @@
       <translation>差值，相对于线缆长度</translation>
     </message>
     <message>
-      <source>The number: Length, Placement.Base.x, Constraints.width, or a cell of a spreadsheet</source>
-      <translation>数值：Length、Placement.Base.x、Constraints.width 或表格的单元格</translation>
+      <source>The number: Length, Placement.Base.x, Constraints.width, or a cell of a spreadsheet; of the cable also StiffnessScale, a factor of its stiffness, and GravityTurn.x, y or z, degrees</source>
+      <translation>数值：Length、Placement.Base.x、Constraints.width 或电子表格的单元格；线缆还有 StiffnessScale（刚度的倍数）以及 GravityTurn.x、y 或 z（度）</translation>
     </message>
     <message>
       <source>The object that has the number, a joint or a sheet as well; empty: the cable</source>
@@ -1596,6 +1596,14 @@
       <translation>{1} 以内没有可行的长度。最好的是 {2}，但{3}；放宽到该长度能满足的限值、更换端部或支撑，或使用更软的线缆会有帮助</translation>
     </message>
     <message>
+      <source>No length will do everywhere. {1}</source>
+      <translation>没有处处适用的长度。{1}</translation>
+    </message>
+    <message>
+      <source>No length will do everywhere: {1} needs {2}, and {3} allows {4}</source>
+      <translation>没有处处适用的长度：{1} 处需要 {2}，而 {3} 处允许 {4}</translation>
+    </message>
+    <message>
       <source>No results yet; Run Study makes them</source>
       <translation>尚无结果；请用“研究”命令生成</translation>
     </message>
@@ -1674,6 +1682,10 @@
     <message>
       <source>The cable's shape would have {1} times the volume of its length. Solve with more elements</source>
       <translation>线缆形状的体积将是其长度对应体积的 {1} 倍。请用更多单元求解</translation>
+    </message>
+    <message>
+      <source>The envelope is open between {1} and {2}: there shapes next to each other are up to {3} mm apart</source>
+      <translation>包络在 {1} 与 {2} 之间是开口的：相邻形状在那里相距可达 {3} mm</translation>
     </message>
     <message>
       <source>The position error is estimated at {1} of the length; {2} was asked for</source>
@@ -1792,6 +1804,14 @@
       <translation>由 3 个整数的列表组成的列表</translation>
     </message>
     <message>
+      <source>a number with the unit {1}</source>
+      <translation>带单位 {1} 的数</translation>
+    </message>
+    <message>
+      <source>a plain number</source>
+      <translation>不带单位的数</translation>
+    </message>
+    <message>
       <source>a spline needs two points or more, each apart from the one before</source>
       <translation>样条需要两个或更多的点，且每个点与前一点不重合</translation>
     </message>
@@ -1826,6 +1846,10 @@
     <message>
       <source>are {1}; at most {2} can be solved; divide the cable at a clamp</source>
       <translation>共 {1} 个；最多可求解 {2} 个；请在夹具处将线缆分开</translation>
+    </message>
+    <message>
+      <source>asks for a length, but {1}, so that any will do; give one</source>
+      <translation>要求求出长度，但{1}，因此任何长度都可以；请给定一个</translation>
     </message>
     <message>
       <source>at least {1} lists of 3 numbers</source>
@@ -1990,6 +2014,10 @@
     <message>
       <source>is empty; it must have at least 1 row</source>
       <translation>为空；至少须有 1 行</translation>
+    </message>
+    <message>
+      <source>is empty; name a number, as Length</source>
+      <translation>为空；请指明一个数，例如 Length</translation>
     </message>
     <message>
       <source>is free; a route needs both ends held</source>
@@ -2232,6 +2260,10 @@
       <translation>它斜着穿过圆环，进入孔边缘 {1} mm；未找到避开边缘的形状，请扩孔，或更改长度或圆环</translation>
     </message>
     <message>
+      <source>its ends are at one place</source>
+      <translation>其两端在同一位置</translation>
+    </message>
+    <message>
       <source>its length</source>
       <translation>其长度</translation>
     </message>
@@ -2436,6 +2468,10 @@
       <translation>扭转</translation>
     </message>
     <message>
+      <source>what it needs was deleted while it ran; all else is as it was</source>
+      <translation>运行时其所需的对象被删除；其余一切保持原样</translation>
+    </message>
+    <message>
       <source>what the {1} stretches between clamps have to do with each other: each is solved alone (exact)</source>
       <translation>夹具之间 {1} 段的相互影响：每段单独求解（精确）</translation>
     </message>
@@ -2522,6 +2558,14 @@
     <message>
       <source>{1} is the {2} that was tried</source>
       <translation>{1} 是尝试过的{2}长度</translation>
+    </message>
+    <message>
+      <source>{1} is {2}, and {3} is {4}; give one</source>
+      <translation>{1} 为 {2}，而 {3} 是{4}；请给出这样的数</translation>
+    </message>
+    <message>
+      <source>{1} is {2}; it must be a number with its unit</source>
+      <translation>{1} 为 {2}；必须是带单位的数</translation>
     </message>
     <message>
       <source>{1} of {2} cases hold</source>

@@ -18,7 +18,7 @@ LEFT_OUT = (
     # Met only in scene and study files, on the command line, in macros and in tests, where English stays.
     *("__main__.py", "demo/*", "reference/*", "problem/scene_file.py"),
     *("problem/obstacles.py", "study/study_file.py", "study/parameter.py", "study/variation.py"),
-    *("study/program.py", "document/make.py", "document/material_card.py"),
+    *("study/program.py", "study/stopping.py", "document/make.py", "document/material_card.py"),
     # Tables and drawings stay as they are in the document.
     *("document/interference.py", "document/study_sheet.py", "study/plot.py", "study/rows_file.py"),
     # Words of files, no sentences.

@@ -69,6 +69,18 @@ class TestObstacles(StudyTest):
         self.assertAlmostEqual(study.NeededLength.Value, max(needed), delta=0.1)
         self.assertAlmostEqual(study.AllowedLength.Value, min(allowed), delta=0.1)
 
+    def test_one_position_that_needs_more_than_another_allows(self):
+        self.type.MinBendRadius = "40 mm"
+        self.lid.Placement.Base.z = 76
+        self.cable.Length = 260
+        self.compute()
+        given = {"values": [0, 250], "find_needed_length": True}
+        study = self.run_unchanged(self.study(self.right, "Placement.Base.y", **given))
+        self.assertGreater(study.NeededLength.Value, study.AllowedLength.Value)
+        self.assertRegex(
+            study.Notes[0], "^No length will do everywhere: 250 needs .* mm, and 0 allows"
+        )
+
     def test_an_obstacle_that_passes_by(self):
         study = self.study(self.lid, "Placement.Base.z", values=[300, 60, 320, 340, 360])
         self.run_unchanged(study)

@@ -48,11 +48,32 @@ class TestTrouble(StudyTest):
         self.compute()
         given = {"values": [100, 110], "find_needed_length": True}
         study = self.study(self.right, "Placement.Base.x", **given)
-        self.refused(study, "^Study002, FindNeededLength: at 100: .*No length")
+        self.run_unchanged(study)
+        self.assertIn(
+            "No length will do everywhere. Study002, FindNeededLength: at 100:", study.Notes[0]
+        )
+        self.assertEqual(self.column(study, "Length ["), ["300", "300"])
         huge = self.study(varied="Length", start=1e300, stop=1e301)
         self.refused(huge, "^Study003, From: is 1e.300; it must be")
         huge = self.study(varied="Length", values=[1e300, 1e301])
         self.refused(huge, "Cable, Length: is 1e.300 mm; it must be")
+
+    def test_what_it_varies_is_deleted_while_it_runs(self):
+        box = self.doc.addObject("Part::Box", "Away")
+        self.cable.setExpression("Length", "30 * Away.Length")
+        self.compute()
+        study = self.study(box, "Length", start=10, stop=12, count=3)
+        followed = studying.follow
+
+        def gone(*given, **more):
+            self.doc.removeObject("Away")
+            yield from followed(*given, **more)
+
+        with (
+            mock.patch.object(studying, "follow", gone),
+            self.assertRaisesRegex(DocumentError, "what it needs was deleted while it ran"),
+        ):
+            studying.run(study)
 
     def test_an_executor_that_breaks_down(self):
         """What the study said before is not what it says of this run."""

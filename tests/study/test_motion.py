@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scenes import table_1
+from scenes import strip, table_1
 
 from freecad_cable.equilibrium import find_equilibrium
 from freecad_cable.errors import ProblemError
 from freecad_cable.result import LengthBound
 from freecad_cable.study import Parameter, follow, motion, needed_length
-from freecad_cable.study.motion import envelope
+from freecad_cable.study.motion import apart, close_together, envelope
 
 HINGE = Parameter(field="end", how="turn", axis=[0, 1, 0], point=[0.1, -0.235, 0.33])
 
@@ -94,6 +94,23 @@ def test_the_search_for_the_needed_length_can_be_stopped():
 def test_a_motion_without_any_shape():
     with pytest.raises(ProblemError, match="no value at which"):
         motion(follow(table_1, [0.1, 0.2]))
+
+
+def test_an_envelope_is_close_where_the_cable_moves_fast_and_open_where_it_jumps():
+    """A clamp that turns once round to where it was, and an arch that falls through."""
+    roll = Parameter(field="end", how="turn", axis=[0, 1, 0])
+    there = lambda turns: roll.of(table_1(), 2 * np.pi * turns)  # noqa: E731
+    steps = list(follow(there, [0.0, 0.12, 0.2]))
+    close = close_together(there, steps, 0.01)
+    assert len(close) > 10
+    assert apart(close, 0.01) == []
+    arch = lambda q: strip(0.998, weight=q)  # noqa: E731
+    steps = list(follow(arch, [-8.0, 16.0]))
+    (jump,) = steps[1].jumps
+    ((before, after, moved),) = apart(close_together(arch, steps, 0.005), 0.005)
+    assert before <= jump.before < jump.after <= after
+    assert after - before <= 2 * (jump.after - jump.before)
+    assert moved > 0.03
 
 
 def test_the_envelope_covers_every_shape():

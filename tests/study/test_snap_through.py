@@ -69,6 +69,16 @@ def test_an_arch_is_pushed_through_by_its_weight():
     assert 0 < jump.after - jump.before <= 1e-3 * 24
 
 
+@pytest.mark.parametrize("shortening", [1e-3, 2e-4])
+def test_a_small_jump_in_the_first_step_is_seen(shortening):
+    """It changes the shape by 3 and by 1 % of the length."""
+    exact = pushed_through(shortening)
+    values = exact * np.array([-1.2, 1.3, 1.6])
+    (jump,) = jumps(lambda q: strip(1 - shortening, weight=q), values)
+    assert jump.change < 0.05
+    assert jump.value == pytest.approx(exact, rel=0.01)
+
+
 def test_an_arch_snaps_when_its_clamp_is_turned():
     exact = tilted_through(SHORTENING)
     assert exact == pytest.approx(1.7818 * math.sqrt(SHORTENING), rel=1e-3)

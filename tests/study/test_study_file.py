@@ -110,6 +110,9 @@ def change(data, place, value):
         ("path.values", [], "path.values: is"),
         ("path.values", [0.5, "x"], r"path.values\[1\]: is 'x'"),
         ("path.values", None, "path.from: is missing"),
+        ("path.from", 0.6, "path.from: is given beside values; give from, to and count, or values"),
+        ("path.to", "x", "path.to: is given beside values"),
+        ("path.count", 3, "path.count: is given beside values"),
         ("path.precision", 0, "path.precision: is 0"),
         ("path.needed_length", 1, "must be true or false"),
     ],
@@ -117,6 +120,20 @@ def change(data, place, value):
 def test_what_is_no_path(path, place, value, sentence):
     with pytest.raises(ProblemError, match=sentence):
         read_study(change(path, place, value), no_file)
+
+
+@pytest.mark.parametrize(
+    ("last", "sentence"),
+    [
+        (0.6, "path.to: is 0.6 and so is from; give a range, or values"),
+        (1e999, "path.to: is inf"),
+    ],
+)
+def test_what_is_no_range(path, last, sentence):
+    del path["path"]["values"]
+    path["path"] |= {"from": 0.6, "to": last, "count": 3}
+    with pytest.raises(ProblemError, match=sentence):
+        read_study(path, no_file)
 
 
 @pytest.mark.parametrize(
