@@ -164,7 +164,7 @@ def study(doc, cable, *, varied=None, start=None, stop=None, **properties):
 
     ``varied`` is (object, "Placement.Base.x"), or the name of a property of the cable; ``start`` and ``stop``
     ("500 mm", or a number as FreeCAD computes) are the first and the last value. Properties: count, values,
-    find_needed_length, draw ("Solids", "Centrelines", "Envelope"); kind "Random" or "Corners" with
+    find_needed_length, record, draw ("Solids", "Centrelines", "Envelope"); kind "Random" or "Corners" with
     length_tolerance, position_tolerance, angle_tolerance, stiffness_factor, cases, seed.
     """
     if proxy_of(cable, Cable) is None:

@@ -18,6 +18,7 @@ from .proxy import proxy_of
 from .read_held import read_held
 from .read_scene import read_scene
 from .stored_solution import PLACE_DECIMALS, fingerprint
+from .study_sheet import COLUMNS
 
 NOT_RUN = "No results yet; Run Study makes them."
 
@@ -65,6 +66,12 @@ SETTINGS = (
         "Solids, centrelines, or the envelope: solids so close to each other that the gaps are less than the cable",
         "Centrelines",
         choices=("Solids", "Centrelines", "Envelope"),
+    ),
+    Prop(
+        "Record",
+        "StringList",
+        "Study",
+        "Columns of the spreadsheet, as Smallest bend radius, by their heads without units; empty: all",
     ),
     Prop(
         "LengthTolerance",
@@ -236,6 +243,17 @@ def inputs(study, cable, scene) -> str:
         follows = [(obj.Name, obj.ExpressionEngine) for obj in ground if obj.ExpressionEngine]
     varied = getattr(study.VariedObject, "Name", "")
     return fingerprint([scene, plain, varied, follows, fingerprint(around, PLACE_DECIMALS)])
+
+
+def recorded(study) -> list[tuple]:
+    """Those of the columns that a study is to record. Errors: ``DocumentError``."""
+    known = {column[0].partition(" [")[0]: column for column in COLUMNS}
+    for name in study.Record:
+        if name not in known:
+            raise wrong(
+                study, "Record", f"has {name}, which is no column; known are {', '.join(known)}."
+            )
+    return [known[name] for name in study.Record] or list(COLUMNS)
 
 
 def values(study) -> list[float]:

@@ -33,12 +33,13 @@ LAST = 2000
 """Rows that go into the sheet: writing more takes longer than solving them."""
 
 
-def write(study, names, rows):
-    """Put the rows of a study in the place of those of its last run. All other cells of its spreadsheet are the user's:
-    where one is in the way, as where there is no spreadsheet, the rows go into a new one."""
-    heads = [f"'{head}" for head in (*names, *(head for head, *_ in COLUMNS), "Note")]
+def write(study, names, rows, chosen):
+    """Put the rows of a study, with the ``chosen`` of the ``COLUMNS``, in the place of those of its last run. All other
+    cells of its spreadsheet are the user's: where one is in the way, as where there is no spreadsheet, the rows go into
+    a new one."""
+    heads = [f"'{head}" for head in (*names, *(head for head, *_ in chosen), "Note")]
     lines = [heads]
-    lines += ([*map(_number, row.values), *_cells(study.Cable, row)] for row in rows[:LAST])
+    lines += ([*map(_number, row.values), *_cells(study.Cable, row, chosen)] for row in rows[:LAST])
     if len(rows) > LAST:
         lines.append([f"'and {len(rows) - LAST} more"])
     size = len(heads), len(lines)
@@ -101,8 +102,8 @@ def columns(study) -> dict[str, list[str]]:
     }
 
 
-def _cells(cable, row):
-    for _, field, kind in COLUMNS:
+def _cells(cable, row, chosen):
+    for _, field, kind in chosen:
         value = getattr(row, field)
         if isinstance(value, bool):
             yield "'yes" if value else "'no"

@@ -32,7 +32,7 @@ from . import study_sheet
 from .complaint import of_study
 from .property_table import reset, wrong
 from .stored_solution import fingerprint, kept
-from .study import held_tolerances, inputs, read_studied, solved_cable, values
+from .study import held_tolerances, inputs, read_studied, recorded, solved_cable, values
 from .varied import Family, Kept, varied_by
 
 
@@ -47,6 +47,7 @@ def run(study, executor=None):
         raise DocumentError(f"{study.Label} cannot be run while the document is recomputed.")
     document.recompute([study])
     try:
+        recorded(study)
         if study.Kind == "Values":
             _run_values(study)
         else:
@@ -143,7 +144,7 @@ def _run_values(study):
     name = f"{varied.path} [{varied.unit_text}]" if varied.unit_text else varied.path
     if study.VariedObject not in (None, cable):
         name = f"{study.VariedObject.Label} {name}"
-    study_sheet.write(study, [name], rows)
+    study_sheet.write(study, [name], rows, recorded(study))
     _plot(study, study_sheet.plot(study, name, rows, found.jumps, scene.rod.min_bend_radius))
     _finish(study, cable, scene)
 
@@ -223,7 +224,8 @@ def _run_tolerance(study, executor):
         f"{verdict.holding} of {verdict.count} cases hold.",
         f"Row {verdict.worst + 1} is the worst: {said}",
     ]
-    study_sheet.write(study, [_name(each.parameter) for each in variations], rows)
+    names = [_name(each.parameter) for each in variations]
+    study_sheet.write(study, names, rows, recorded(study))
     _plot(study, study_sheet.histogram(study, rows, scene.rod.min_bend_radius))
     _finish(study, cable, scene)
 

@@ -53,7 +53,10 @@ def shortest(scene: Scene, solve) -> Solution:
         b += 1 if samples[b + 1].feasible else 2
     first, end = samples[a], samples[b]
     if a > 0:
-        first, before = _bracketed(sample, first, samples[a - 1], end)
+        before = samples[a - 1]
+        if not before.solved and a > 1 and samples[a - 2].solved:
+            before = samples[a - 2]
+        first, before = _bracketed(sample, first, before, end)
         low = _bound(first, before, "shorter", "shortest")
     else:
         low = _tried(first, "shortest")
@@ -72,8 +75,11 @@ def _until_solved(sample) -> list:
     """Samples from the length of a spline on until one is solved: among obstacles it may take much more than past
     them."""
     samples = [sample(max(_spline_length(sample.scene), sample.least), None)]
-    while not samples[-1].solved and samples[-1].length < sample.most:
-        samples.append(sample(sample.beyond(samples[-1].length, GROWTH**2), None))
+    while not samples[-1].solved:
+        length = sample.beyond(samples[-1].length, GROWTH**2)
+        if length is None:
+            break
+        samples.append(sample(length, None))
     return samples
 
 
@@ -120,9 +126,9 @@ def _walk(sample, first, factor) -> list:
         samples.append(here)
         if here.solved:
             last = here.solution
-            worse = before.feasible or not before.solved or here.margin < before.margin
             # Shorter cables only pull harder. Longer ones may yet become feasible.
-            if not here.feasible and (before.feasible or (factor < 1 and worse)):
+            worse = factor < 1 and (here.margin < before.margin or not before.solved)
+            if not here.feasible and (before.feasible or worse):
                 return samples[1:]
         elif here.requirement == "reach":
             return samples[1:]

@@ -184,9 +184,8 @@ class _Walk:
         (low, before), (high, after) = self.here, (value, solution)
         for _ in range(CLOSER):
             middle = (low + high) / 2
-            self.solves += 1
-            found = self.solve(self.scene_at(middle), start=before)
-            if not found.status.success:
+            found = self._between(middle, before)
+            if found is None or not found.status.success:
                 break
             if (change(before, found) <= np.maximum(SMALL, changed / 2)).all():
                 low, before = middle, found
@@ -204,6 +203,15 @@ class _Walk:
             jumps.append(Jump(high, value, float(further)))
         return solution
 
+    def _between(self, value, start):
+        """The solution at a value between two; None if there is no such value, as between whole numbers."""
+        try:
+            scene = self.scene_at(value)
+        except (ProblemError, DocumentError):
+            return None
+        self.solves += 1
+        return self.solve(scene, start=start)
+
     def _is_smooth(self, value, solution, changed):
         """Whether nothing speaks for a jump on the way to a value: the shape changes as fast as before, or, where that
         is not known, in both halves of the way alike."""
@@ -215,12 +223,9 @@ class _Walk:
             return smooth
         if (changed <= SMALL).all():
             return True
-        try:
-            scene = self.scene_at((here + value) / 2)
-        except (ProblemError, DocumentError):
-            return True  # there is nothing between to tell
-        self.solves += 1
-        middle = self.solve(scene, start=before)
+        middle = self._between((here + value) / 2, before)
+        if middle is None:
+            return True  # there is nothing to tell
         if not middle.status.success:
             return False
         halves = [change(before, middle), change(middle, solution)]

@@ -56,6 +56,10 @@
       <translation>Färbt das Kabel danach, wie weit sein Biegeradius über der Grenze liegt: rot darunter, orange bis 10 % darüber, gelb bei 50 %, grün ab 100 %</translation>
     </message>
     <message>
+      <source>Columns of the spreadsheet, as Smallest bend radius, by their heads without units; empty: all</source>
+      <translation>Spalten der Tabelle, etwa Smallest bend radius, mit ihren Überschriften ohne Einheiten; leer: alle</translation>
+    </message>
+    <message>
       <source>Compute shear also where the cable does not seem to need it</source>
       <translation>Schub auch berechnen, wo das Kabel ihn nicht zu brauchen scheint</translation>
     </message>
@@ -1966,6 +1970,10 @@
     <message>
       <source>has {1}, which is in another part or assembly than the cable; put both into the same</source>
       <translation>enthält {1}, das in einem anderen Teil oder einer anderen Baugruppe als das Kabel ist; beide in dieselbe legen</translation>
+    </message>
+    <message>
+      <source>has {1}, which is no column; known are {2}</source>
+      <translation>hat {1}, was keine Spalte ist; bekannt sind {2}</translation>
     </message>
     <message>
       <source>has {1}, which is no support; choose clamps, sleeves, rings or clips</source>

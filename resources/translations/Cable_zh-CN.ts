@@ -56,6 +56,10 @@
       <translation>按弯曲半径超出限值的程度为线缆着色：低于限值为红色，超出 10 % 以内为橙色，50 % 为黄色，100 % 起为绿色</translation>
     </message>
     <message>
+      <source>Columns of the spreadsheet, as Smallest bend radius, by their heads without units; empty: all</source>
+      <translation>电子表格的列，例如 Smallest bend radius，用不带单位的列名；空：全部</translation>
+    </message>
+    <message>
       <source>Compute shear also where the cable does not seem to need it</source>
       <translation>即使线缆似乎不需要，也计算剪切</translation>
     </message>
@@ -1966,6 +1970,10 @@
     <message>
       <source>has {1}, which is in another part or assembly than the cable; put both into the same</source>
       <translation>含有 {1}，它与线缆不在同一零件或装配中；请将两者放在一起</translation>
+    </message>
+    <message>
+      <source>has {1}, which is no column; known are {2}</source>
+      <translation>含有 {1}，它不是列；已知的有 {2}</translation>
     </message>
     <message>
       <source>has {1}, which is no support; choose clamps, sleeves, rings or clips</source>

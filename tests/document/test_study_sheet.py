@@ -4,6 +4,7 @@
 from studies import StudyTest
 
 from freecad_cable.document import studying
+from freecad_cable.errors import DocumentError
 
 
 class TestStudySheet(StudyTest):
@@ -89,3 +90,11 @@ class TestStudySheet(StudyTest):
         self.run_with(Values=[330, 340, 350])
         self.assertEqual(self.sheet.getAlias("B2"), "first")
         self.assertAlmostEqual(self.sheet.Z1, 660, places=3)
+
+    def test_what_is_to_be_recorded(self):
+        self.run_with(Record=["End force", "Smallest bend radius"])
+        heads = [self.text(f"{letter}1") for letter in "ABCDE"]
+        self.assertEqual(heads[1:], ["End force [N]", "Smallest bend radius [mm]", "Note", ""])
+        self.assertEqual(self.text("E2"), "")
+        with self.assertRaisesRegex(DocumentError, "Record: has Colour, which is no column"):
+            self.run_with(Record=["Colour"])

@@ -80,15 +80,20 @@ def test_a_turn_of_the_end_keeps_its_full_turns():
     assert back[-1].solution.energy.total == pytest.approx(begin.energy.total, rel=1e-5)
 
 
-def test_between_whole_numbers_nothing_is_said():
+@pytest.mark.parametrize("values", [[0, 1, 2, 4], [0, 1, 4, 2000, 1]])
+def test_between_whole_numbers_nothing_is_said(values):
+    """In a long list, too, where one is less than the bracket of a jump."""
+
     def scene_at(value):
         if value != round(value):
             raise ProblemError("count", "must be whole")
-        return table_1(0.5 + 0.1 * value)
+        return table_1(0.5 + 0.1 * (value % 5))
 
-    steps = list(follow(scene_at, [0, 1, 2, 4]))
-    assert [step.row.length for step in steps] == pytest.approx([0.5, 0.6, 0.7, 0.9])
-    assert not any(step.jumps for step in steps)
+    steps = list(follow(scene_at, values))
+    assert [step.row.length for step in steps] == [0.5 + 0.1 * (value % 5) for value in values]
+    assert all(step.solved for step in steps)
+    if values[-1] == 4:
+        assert not any(step.jumps for step in steps)
 
 
 def test_a_start_is_taken():

@@ -128,17 +128,19 @@ def test_among_obstacles_nothing_is_tried_that_nobody_would_order():
     assert high.length == pytest.approx(4 * (0.2 + np.pi * LIMIT))
 
 
-def test_one_length_that_no_solver_finds_is_no_shortest():
+@pytest.mark.parametrize("limit", [0.21, 0.23])
+def test_one_length_that_no_solver_finds_is_no_shortest(limit):
+    """The next that is tried is feasible, or is not."""
     gap = []
 
     def fails(length):
         gap.extend([length] if length < 0.24 and not gap else [])
         return length in gap
 
-    solve, _ = pretended(lambda length: length - 0.21, fails)
+    solve, _ = pretended(lambda length: length - limit, fails)
     low, _ = shortest(scene(), solve).feasible_lengths
     assert gap
-    assert low.length == pytest.approx(0.21, rel=PRECISION)
+    assert low.length == pytest.approx(limit, rel=PRECISION)
     assert low.requirement == "bend radius"
 
 
