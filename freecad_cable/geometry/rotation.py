@@ -125,14 +125,11 @@ def transport(q0, tangents):
     a, b = tangents[:-1], tangents[1:]
     turns = np.concatenate([1 + np.sum(a * b, axis=1)[:, None], cross(a, b)], axis=1)
     turns /= np.maximum(np.linalg.norm(turns, axis=1), 1e-300)[:, None]
-    for k in np.flatnonzero(np.sum(turns * turns, axis=1) < 0.5):
-        turns[k] = shortest_arc(a[k], b[k])  # opposite
-    first = multiply(shortest_arc(tangent(q0), tangents[0]), q0)
-    frames, done = np.vstack([first, turns]), 1
-    # Each frame is the product of all turns before it; of twice as many with every step.
-    while done < len(frames):
-        frames[done:] = multiply(frames[done:], frames[:-done])
-        done *= 2
+    frames = np.empty((len(tangents), 4))
+    frames[0] = multiply(shortest_arc(tangent(q0), tangents[0]), q0)
+    for k, turn in enumerate(turns):
+        opposite = turn @ turn < 0.5
+        frames[k + 1] = multiply(shortest_arc(a[k], b[k]) if opposite else turn, frames[k])
     return continuous(frames)
 
 
