@@ -13,7 +13,7 @@ from ..errors import ProblemError
 from ..geometry import rotation
 from ..problem import Scene
 from ..result import Solution
-from .path import Jump, Step, change, follow
+from .path import PRECISION, Jump, Step, change, follow
 from .row import Row
 
 
@@ -158,22 +158,16 @@ def _moved(one, other):
 
 
 def _between(scene_at, one, other, spacing, most, tick):
-    """Steps between two, each half way between its neighbours; between the two values that a jump is known by there
-    are none."""
-    known = [(jump.before, jump.after) for jump in other.jumps]
+    """Steps between two, each half way between its neighbours; where these stay apart however near their values are,
+    the cable jumps."""
+    least = PRECISION * abs(other.value - one.value)
     found, waiting = [], [(one, other)]
-    while waiting:
-        before, after = waiting.pop()
-        low, high = sorted((before.value, after.value))
-        inside = any(low <= min(jump) and max(jump) <= high for jump in known)
-        width = max((abs(a - b) for a, b in known), default=0.0)
-        if (
-            _moved(before, after) <= spacing
-            or len(found) >= most
-            or (inside and high - low <= width)
-        ):
+    while waiting and len(found) < most:
+        before, after = waiting.pop(0)  # the widest first
+        if _moved(before, after) <= spacing or abs(after.value - before.value) <= least:
             continue
-        (step,) = follow(scene_at, [(low + high) / 2], start=before.solution)
+        middle = (before.value + after.value) / 2
+        (step,) = follow(scene_at, [middle], start=before.solution)
         tick()
         if step.solved:
             found.append(step)
