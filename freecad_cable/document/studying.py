@@ -47,11 +47,11 @@ def run(study, executor=None):
         raise DocumentError(f"{study.Label} cannot be run while the document is recomputed.")
     document.recompute([study])
     try:
-        recorded(study)
+        chosen = recorded(study)
         if study.Kind == "Values":
-            _run_values(study)
+            _run_values(study, chosen)
         else:
-            _run_tolerance(study, executor)
+            _run_tolerance(study, chosen, executor)
     except ProblemError as error:
         _fail(study, str(of_study(study, error)))
     except CableError as error:
@@ -75,7 +75,7 @@ def _fail(study, sentence):
     raise DocumentError(sentence) from None
 
 
-def _run_values(study):
+def _run_values(study, chosen):
     cable, wanted = solved_cable(study), values(study)
     scene = read_studied(study, cable)
     if study.FindNeededLength and not scene.spans:
@@ -144,7 +144,7 @@ def _run_values(study):
     name = f"{varied.path} [{varied.unit_text}]" if varied.unit_text else varied.path
     if study.VariedObject not in (None, cable):
         name = f"{study.VariedObject.Label} {name}"
-    study_sheet.write(study, [name], rows, recorded(study))
+    study_sheet.write(study, [name], rows, chosen)
     _plot(study, study_sheet.plot(study, name, rows, found.jumps, scene.rod.min_bend_radius))
     _finish(study, cable, scene)
 
@@ -186,7 +186,7 @@ def _is_at(scene, family, wanted):
         return False
 
 
-def _run_tolerance(study, executor):
+def _run_tolerance(study, chosen, executor):
     cable = solved_cable(study)
     scene = read_studied(study, cable)
     variations = _variations(study, scene)
@@ -225,7 +225,7 @@ def _run_tolerance(study, executor):
         f"Row {verdict.worst + 1} is the worst: {said}",
     ]
     names = [_name(each.parameter) for each in variations]
-    study_sheet.write(study, names, rows, recorded(study))
+    study_sheet.write(study, names, rows, chosen)
     _plot(study, study_sheet.histogram(study, rows, scene.rod.min_bend_radius))
     _finish(study, cable, scene)
 

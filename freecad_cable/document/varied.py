@@ -202,9 +202,11 @@ class Kept:
         # part goes back to it as long as the part has not gone back itself, and what a number of a cable type changes
         # of it when it goes back, as where that is from, is to go back, too.
         self._put_back()
-        self._recompute_failed()
+        # What failed at the last value would be in error with every property as it was.
+        _recompute(_in_state("Invalid") - self.invalid)
         self._put_back()
-        self._recompute_sheets()
+        # Cells are computed from what is as it was now.
+        _recompute({key[:2] for key in self.before}, "Spreadsheet::Sheet")
         for document, name in _in_state("Touched") - self.touched:
             FreeCAD.getDocument(document).getObject(name).purgeTouched()
 
@@ -216,25 +218,16 @@ class Kept:
                     if getattr(obj, prop) != value:
                         setattr(obj, prop, value)
 
-    def _recompute_sheets(self):
-        """Cells are computed from what is as it was now."""
-        for name, document in FreeCAD.listDocuments().items():
-            changed = {key[1] for key in self.before if key[0] == name}
-            sheets = [obj for obj in document.Objects if obj.Name in changed]
-            sheets = [obj for obj in sheets if obj.TypeId == "Spreadsheet::Sheet"]
-            for obj in sheets:
-                obj.touch()
-            if sheets:
-                document.recompute(sheets)
 
-    def _recompute_failed(self):
-        """What failed at the last value would be in error with every property as it was."""
-        failed = _in_state("Invalid") - self.invalid
-        for document in {document for document, _ in failed}:
-            document = FreeCAD.getDocument(document)
-            own = [obj for obj in document.Objects if (document.Name, obj.Name) in failed]
-            for obj in own:
-                obj.touch()
+def _recompute(which, kind=""):
+    """Objects of a kind among some (document, object)."""
+    for name in {document for document, _ in which}:
+        document = FreeCAD.getDocument(name)
+        own = [obj for obj in document.Objects if (name, obj.Name) in which]
+        own = [obj for obj in own if not kind or obj.TypeId == kind]
+        for obj in own:
+            obj.touch()
+        if own:
             document.recompute(own)
 
 

@@ -61,15 +61,15 @@ class Sampler:
             raise ProblemError(
                 "cable.length_mode", f"asks for a length, but {why}, so that any will do; give one"
             )
-        self.longest = None
+        self.slowest = None
         """[s] that a length took until it was solved; None before one is"""
 
     def __call__(self, length, last) -> Sample:
         """``last``: an earlier solution to start from, or None."""
         scene, limit = self.scene, self.scene.options.time_limit
         patience = FIRST * limit
-        if self.longest is not None:
-            patience = min(limit, max(PATIENCE * self.longest, LEAST))
+        if self.slowest is not None:
+            patience = min(limit, max(PATIENCE * self.slowest, LEAST))
         begin = time.perf_counter()
         try:
             scene = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
@@ -83,7 +83,7 @@ class Sampler:
             sentence = Status.NOT_CONVERGED.value if hasty else solution.message
             return Sample(length, solution, -np.inf, "equilibrium", None, sentence)
         took = time.perf_counter() - begin
-        self.longest = max(self.longest or 0.0, took)
+        self.slowest = max(self.slowest or 0.0, took)
         return _judged(scene, solution)
 
     def beyond(self, length, factor, most=np.inf) -> float | None:

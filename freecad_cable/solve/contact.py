@@ -6,6 +6,7 @@ is all of the obstacle near the place (a plane, a ball, the side of a cylinder) 
 features are looked up anew at the last solve until they stay.
 """
 
+from dataclasses import replace
 from functools import partial
 from itertools import islice
 
@@ -112,6 +113,22 @@ def apart(problem: Problem, trial: Trial) -> Trial:
 
 def _rank(trial, around_it):
     return around_it.deepest(trial.shape), not trial.stable, trial.energy
+
+
+def rests(problem: Problem, trial: Trial | None) -> bool:
+    """Whether a trial is in equilibrium, and in no obstacle."""
+    return trial is not None and trial.stable and not problem.surroundings.deepest(trial.shape)
+
+
+def handed_on(
+    now: Problem, found: Trial, then: Problem, error: float
+) -> tuple[Problem, Trial] | None:
+    """One step of problems: ``then``, and what an equilibrium of ``now`` with that ``error`` has become in it; None
+    if it has become none."""
+    before, after = now.scaling, then.scaling
+    start = found.shape.in_units(before.force / after.force, before.length / after.length)
+    following = resumed(then, replace(start, error=error))
+    return None if following is None else (then, following)
 
 
 def resumed(problem: Problem, warm: Shape) -> Trial | None:

@@ -5,9 +5,8 @@ A longer cable has more ways past what it meets, and each step starts in contact
 """
 
 from collections.abc import Callable
-from dataclasses import replace
 
-from .contact import resumed
+from .contact import handed_on, rests
 from .letting_out import as_long
 from .problem import Problem
 from .stepping import stepped
@@ -27,7 +26,7 @@ def drawn_in(problem: Problem, find: Callable[[Problem, None], Trial | None]) ->
     for longer in LONGER:
         now = as_long(problem, longer)
         found = find(now, None)
-        if found is not None and found.stable and not now.surroundings.deepest(found.shape):
+        if rests(now, found):
             return _shorter(problem, now, found, longer)
     return None
 
@@ -36,10 +35,7 @@ def _shorter(problem, now, found, longer):
     def advance(state, _, ahead, __):
         now, found = state
         then = problem if ahead == 1 else as_long(problem, longer ** (1 - ahead))
-        before, after = now.scaling, then.scaling
-        start = found.shape.in_units(before.force / after.force, before.length / after.length)
-        following = resumed(then, replace(start, error=found.error))
-        return None if following is None else (then, following)
+        return handed_on(now, found, then, found.error)
 
     state = stepped((now, found), advance, LONGEST, SHORTEST)
     return None if state is None else state[1]

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .contact import resumed
+from .contact import handed_on
 from .problem import Problem
 from .stepping import stepped
 from .trial import Trial
@@ -41,10 +41,8 @@ def _heavier(problem, now, found, load):
     def advance(state, _, ahead, __):
         now, found = state
         then = problem if ahead == 1 else _under(problem, load ** (1 - ahead))
-        start = found.shape.in_units(now.scaling.force / then.scaling.force)
         # What was known of the error says nothing of that under more weight.
-        following = resumed(then, replace(start, error=np.inf))
-        return None if following is None else (then, following)
+        return handed_on(now, found, then, np.inf)
 
     longest, shortest = np.log([FACTOR, LEAST]) / -np.log(load)
     state = stepped((now, found), advance, longest, shortest)

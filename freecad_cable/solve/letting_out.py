@@ -12,7 +12,7 @@ import numpy as np
 
 from ..problem.reduce import tautness
 from . import mesh, touching
-from .contact import resumed
+from .contact import rests, resumed
 from .gathering import FIRST
 from .problem import Problem
 from .saddle import descended
@@ -47,7 +47,7 @@ def let_out(problem: Problem, find: Find, slacks=SLACK) -> Trial | None:
             continue
         now = as_long(problem, taut * (1 + slack))
         found = find(now, None)
-        if found is not None and found.stable and not now.surroundings.deepest(found.shape):
+        if rests(now, found):
             shape = found.shape.on(mesh.refined(found.shape, FIRST))
             return _longer(problem, now, shape, slack, full)
     return None

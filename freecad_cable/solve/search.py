@@ -79,7 +79,7 @@ def _among_obstacles(problem, warm):
     with suppress(TimeUpError):
         found = _through_itself(problem, warm)
     problem.deadline = deadline
-    if found is not None and found.stable and not problem.surroundings.deepest(found.shape):
+    if contact.rests(problem, found):
         return found
     try:
         return _from_easier(problem) or found

@@ -97,16 +97,17 @@ def needed_length(
         found.append((float(value), solution))
         tick()
     length, where = max((each.feasible_lengths[0].length, value) for value, each in found)
-    allowed = [(_allowed(scene_at(value), each, length, solve), value) for value, each in found]
+    allowed = [(_allowed(each, length, solve), value) for value, each in found]
     return NeededLength(length, where, *min(allowed))
 
 
-def _allowed(scene, solution, length, solve):
+def _allowed(solution, length, solve):
     """The longest cable that a position allows [m]; where its search has ended at one shorter than ``length`` for no
     requirement, that length is tried."""
     longest = solution.feasible_lengths[1]
     if longest.length >= length or longest.requirement not in (None, "equilibrium"):
         return longest.length
+    scene = solution.scene
     there = replace(scene, rod=replace(scene.rod, length=length), asks_length=False)
     found = solve(there, start=solution)
     # As in the search, one that lies in a loop on itself is none to order.
