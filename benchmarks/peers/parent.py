@@ -25,7 +25,7 @@ from freecad_cable.problem.reduce import reduce
 from freecad_cable.solve.problem import Problem
 from freecad_cable.transcription.guess import guess
 
-PATIENCE = 60.0
+PATIENCE = 180.0
 """[s] for a task, importing and repeating included"""
 OURS = "freecad_cable"
 REPEATS = 7

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-PARAMETER = (1 - np.cos(np.linspace(0, math.pi, 401))) / 2
+PARAMETER = (1 - np.cos(np.linspace(0, math.pi, 201))) / 2
 """Where the curve is sampled: dense at the ends, where a taut curve bends."""
 
 FRACTIONS = (0.8, 0.6, 0.45, 1 / 3, 0.2, 0.1)
@@ -19,6 +19,9 @@ FRACTIONS = (0.8, 0.6, 0.45, 1 / 3, 0.2, 0.1)
 
 HEAVY = 500.0
 """The w L³/EI above which more weight shall not choose a tighter bend."""
+
+ALIKE = 1e-9
+"""Difference of energies, times length over EI, that may be rounding."""
 
 _GAUSS = np.polynomial.legendre.leggauss(5)
 
@@ -47,30 +50,50 @@ def lowest_candidate(span, start_tangent, end_tangent, length, bulge):
     """The candidate with the lowest energy: coefficients (6, 3) of u⁰…u⁵ of r(u) − start.
 
     ``span`` (3,) is the end minus the start, shorter than ``length``; ``bulge`` (3,) is w/EI. At
-    most one tangent may be None. A curve that folds is taken only if all do.
+    most one tangent may be None. A curve that folds is taken only if all do; of those that cost the
+    same, mirror images of each other, the first.
     """
-    base, bumps = [], []
-    for tangents in _tangent_choices(span, start_tangent, end_tangent, bulge):
-        hermite = np.outer(_START, tangents[0]) + np.outer(_END, tangents[1])
-        line = np.outer(_SPAN, span)
-        largest = _root(_FINE_SLOPES @ line, _FINE_SLOPES @ hermite, _FINE_WEIGHTS, length)
-        base.append(line + largest * hermite)
-        bumps.append(np.zeros((6, 3)))
-        for side in _sides(span, *tangents, bulge):
-            for shape in (_EVEN, _ODD):
-                base += [line + fraction * largest * hermite for fraction in FRACTIONS]
-                bumps += [np.outer(shape, side)] * len(FRACTIONS)
-    base, bumps = np.array(base), np.array(bumps)
-    bumped = bumps.any(axis=(1, 2))
-    amplitude = np.zeros(len(base))
-    amplitude[bumped] = _root(
-        _COARSE_SLOPES @ base[bumped], _COARSE_SLOPES @ bumps[bumped], _COARSE_WEIGHTS, length
-    )
-    best = np.argmin(_energy(base + amplitude[:, None, None] * bumps, length, bulge))
-    if not bumped[best]:
-        return base[best]
+    found = [
+        _candidates(span, tangents, length, bulge)
+        for tangents in _tangent_choices(span, start_tangent, end_tangent, bulge)
+    ]
+    base, bumps, amplitude = (np.concatenate(part) for part in zip(*found, strict=True))
+    energy = _energy(base + amplitude[:, None, None] * bumps, length, bulge)
+    best = np.argmax(energy <= energy.min() + ALIKE / length)
     base, bump = base[best], bumps[best]
-    return base + bump * _root(_FINE_SLOPES @ base, _FINE_SLOPES @ bump, _FINE_WEIGHTS, length)
+    if not bump.any():
+        return base
+    return base + _exactly(base, bump, length) * bump
+
+
+def _candidates(span, tangents, length, bulge):
+    """Of two tangents, for each candidate: the curve without its bump (k, 6, 3), the bump (k, 6, 3), and about how
+    much of that gives the length (k,)."""
+    line, hermite = (
+        np.outer(_SPAN, span),
+        np.outer(_START, tangents[0]) + np.outer(_END, tangents[1]),
+    )
+    largest = _exactly(line, hermite, length)
+    plain, *tight = line + np.multiply.outer(largest * np.append(1.0, FRACTIONS), hermite)
+    sides = _sides(span, *tangents, bulge)
+    bumps = np.array([np.outer(shape, side) for side in sides for shape in (_EVEN, _ODD)])
+    slopes = _along(_COARSE_SLOPES, np.array(tight)), _along(_COARSE_SLOPES, bumps)[:, None]
+    amplitude = _root(*slopes, _COARSE_WEIGHTS, length, exact=1e-6)
+    return (
+        np.concatenate([plain[None], np.tile(tight, (len(bumps), 1, 1))]),
+        np.concatenate([np.zeros((1, 6, 3)), np.repeat(bumps, len(tight), axis=0)]),
+        np.append(0.0, amplitude),
+    )
+
+
+def _exactly(fixed, varied, length):
+    """How much of the polynomial ``varied`` (6, 3) gives ``fixed`` (6, 3) the length."""
+    return _root(_FINE_SLOPES @ fixed, _FINE_SLOPES @ varied, _FINE_WEIGHTS, length, exact=1e-14)
+
+
+def _along(table, coefficients):
+    """(k, n, 3) values of the polynomials (k, 6, 3) by a table (n, 6): one product for all."""
+    return np.moveaxis(np.tensordot(table, coefficients, (1, 1)), 0, 1)
 
 
 def values(coefficients, u):
@@ -98,8 +121,9 @@ _FINE_PLACES, _FINE_WEIGHTS = (array.ravel() for array in gauss(PARAMETER))
 _FINE_SLOPES = _slopes(_FINE_PLACES)
 
 
-def _root(base, direction, weights, length):
-    """The largest x with Σ weights |base + x direction| = length; base and direction (..., n, 3).
+def _root(base, direction, weights, length, exact):
+    """The largest x with Σ weights |base + x direction| = length; base and direction (..., n, 3);
+    ``exact``: to this share of it.
 
     The sum is convex in x, so Newton's method started on the far side runs down to the root without
     overshooting.
@@ -116,7 +140,7 @@ def _root(base, direction, weights, length):
         growth = (change / speed) @ weights
         step = (speed @ weights - length) / np.maximum(growth, 1e-300)
         x = np.maximum(x - np.maximum(step, 0), 0)
-        if (step <= 1e-14 * x).all():
+        if (step <= exact * x).all():
             break
     return x
 
@@ -124,15 +148,14 @@ def _root(base, direction, weights, length):
 def _energy(coefficients, length, bulge):
     """Energy over EI (k,) of the candidates (k, 6, 3), from the angles between samples."""
     weight = bulge * min(1.0, HEAVY / max(float(np.linalg.norm(bulge)) * length**3, 1e-300))
-    slope = _COARSE_SLOPES @ coefficients
-    speed = np.linalg.norm(slope, axis=-1)
-    before, after = slope[:, :-1], slope[:, 1:]
-    turning = np.arctan2(
-        np.linalg.norm(np.cross(before, after), axis=-1), (before * after).sum(axis=-1)
-    )
+    slope = _along(_COARSE_SLOPES, coefficients)
+    speed = np.sqrt(np.einsum("kni,kni->kn", slope, slope))
+    change = np.diff(slope / np.maximum(speed, 1e-300)[..., None], axis=1)
+    # Between unit vectors, from the chord: as exact for small angles as for large ones.
+    turning = 2 * np.arcsin(np.minimum(np.sqrt(np.einsum("kni,kni->kn", change, change)) / 2, 1.0))
     distance = (speed[:, 1:] + speed[:, :-1]) / 2 * np.diff(_COARSE)
     bending = (turning**2 / np.maximum(distance, 1e-9 * length)).sum(axis=-1) / 2
-    height = (_COARSE_POWERS @ coefficients @ weight) * speed
+    height = (coefficients @ weight) @ _COARSE_POWERS.T * speed
     folded = turning.max(axis=-1) > math.pi / 2
     return bending - height @ _COARSE_WEIGHTS + np.where(folded, 1e12 / length, 0)
 

@@ -18,6 +18,9 @@ _PRODUCT = np.array(
     ],
     float,
 )
+OPPOSITE = 1e-8
+"""Norm of (1 + a·b, a × b), twice the cosine of half their angle, below which two unit vectors are opposite but for
+rounding, and their cross product tells no axis."""
 _CROSS = _PRODUCT[1:, 1:, 1:]
 _CROSS_MATRIX = np.swapaxes(_CROSS, 1, 2)
 # R = 1 + 2 w [v ×] + 2 [v ×]² of q = (w, v), after Rodrigues.
@@ -124,13 +127,22 @@ def transport(q0, tangents):
     """
     a, b = tangents[:-1], tangents[1:]
     turns = np.concatenate([1 + np.sum(a * b, axis=1)[:, None], cross(a, b)], axis=1)
-    turns /= np.maximum(np.linalg.norm(turns, axis=1), 1e-300)[:, None]
-    frames = np.empty((len(tangents), 4))
-    frames[0] = multiply(shortest_arc(tangent(q0), tangents[0]), q0)
-    for k, turn in enumerate(turns):
-        opposite = turn @ turn < 0.5
-        frames[k + 1] = multiply(shortest_arc(a[k], b[k]) if opposite else turn, frames[k])
-    return continuous(frames)
+    size = np.linalg.norm(turns, axis=1)[:, None]
+    turns /= np.maximum(size, 1e-300)
+    for k in np.flatnonzero(size < OPPOSITE):
+        turns[k] = shortest_arc(a[k], b[k])
+    first = multiply(shortest_arc(tangent(q0), tangents[0]), q0)
+    return continuous(np.vstack([first, multiply(_running_product(turns), first)]))
+
+
+def _running_product(q):
+    """(m, 4) products q_k ∘ … ∘ q_0 of unit quaternions (m, 4), in log₂ m steps (Hillis, Steele 1986): each takes what
+    ends at it times what ends just before that."""
+    q, reach = np.array(q), 1
+    while reach < len(q):
+        q[reach:] = multiply(q[reach:], q[:-reach])
+        reach *= 2
+    return q
 
 
 def continuous(q):

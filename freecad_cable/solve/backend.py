@@ -20,7 +20,8 @@ from .yielding import MORE_RIGID, RIGID, RUNAWAY, SHARE, YieldingProgram, deriva
 
 TOLERANCE = 1e-9
 """On the scaled optimality conditions. Far below the discretisation error of any mesh used here (1e-8 at
-best), far above rounding in the multipliers of a taut cable (1e-16 × 1e5)."""
+best), far above rounding in the multipliers of a taut cable (1e-16 × 1e5). 1e-6 would save one iteration of six, but
+where solutions make a circle their neutral direction then reads as a falling one, and a good answer as unstable."""
 ITERATIONS = 80
 """Those that converge from a usable start were seen to need at most 45."""
 

@@ -5,7 +5,9 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 COARSE = 32
-"""Elements of a first mesh: Table 1 of the seed paper is then within 1e-5 L with the scheme of order 4."""
+"""Elements of a first mesh: Table 1 of the seed paper is then within 1e-5 L with the scheme of order 4. 24 take 0.93 of
+the time, but the balance of moments then misses 0.4 % in place of 0.1 %; with 16 the iteration takes up to five times
+as many steps."""
 SIZES = (32, 48, 64, 96, 128, 192, 256, 384, 512, 768)
 """Element counts that refinement chooses from, so that built solvers find reuse."""
 

@@ -195,9 +195,7 @@ class Problem:
             self.effort.iterations += raw.iterations
             self.effort.solve_time += raw.time
             if raw.success:
-                found = raw.x, raw.multipliers
-                shape = layout.shape_of(nlp, values, parameters, start.steps, *found)
-                return Trial(nlp, values, parameters, raw, shape, places=places)
+                return Trial(nlp, values, parameters, raw, start.steps, places=places)
         return None
 
     def _attempts(self, nlp, start, fallback):

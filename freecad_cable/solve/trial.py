@@ -32,7 +32,8 @@ class Trial:
     values: dict
     parameters: np.ndarray
     raw: backend.RawSolution
-    shape: Shape
+    steps: np.ndarray
+    """(n,) element lengths that the program was given"""
     measured: float | None = None
     """error found by comparing meshes, where bounds act and the strong form does not hold as it is"""
     places: arms.Places | None = None
@@ -44,6 +45,12 @@ class Trial:
         read = vars(self).keys() - vars(other).keys() - {"error"}
         vars(other).update((name, vars(self)[name]) for name in read)
         return other
+
+    @cached_property
+    def shape(self) -> Shape:
+        """The nodes; of rivals, of which only the energy is asked, they need not be read."""
+        found = self.raw.x, self.raw.multipliers
+        return layout.shape_of(self.nlp, self.values, self.parameters, self.steps, *found)
 
     @cached_property
     def energies(self) -> np.ndarray:

@@ -119,6 +119,6 @@ class _Law:
         inner = ca.vertcat(lead[:3, :], lead[6:, :]) @ along
         reach = ca.horzcat(outer[:, :4], outer[:, 4:] @ inner)
         return (
-            ca.Function("block", [*self.inputs, factor, gap], [block]),
-            ca.Function("reach", self.inputs, [ca.densify(ca.vec(reach))]),
+            ca.Function("block", [*self.inputs, factor, gap], ca.cse([block])),
+            ca.Function("reach", self.inputs, ca.cse([ca.densify(ca.vec(reach))])),
         )

@@ -59,6 +59,21 @@ def test_transport_turns_as_little_as_it_must():
     assert (np.sum(frames[1:] * frames[:-1], axis=1) > 0).all()
 
 
+@pytest.mark.parametrize("count", [2, 3, 8, 33])
+def test_transport_goes_on_from_frame_to_frame(count):
+    """Whatever its number of steps: each frame is the one before, turned by the least that its tangent needs. One of
+    the tangents turns back, where the least is no longer one."""
+    tangents = np.random.default_rng(7).normal(size=(count, 3))
+    tangents /= np.linalg.norm(tangents, axis=1)[:, None]
+    tangents[-1] = -tangents[-2]
+    frame = rotation.from_tangent(tangents[0])
+    found = rotation.transport(frame, tangents)
+    for k in range(1, count):
+        frame = rotation.multiply(rotation.shortest_arc(*tangents[k - 1 : k + 1]), frame)
+        assert abs(frame @ found[k]) == pytest.approx(1, abs=1e-12)
+    assert rotation.tangent(found) == pytest.approx(tangents, abs=1e-12)
+
+
 def test_between_frames_goes_the_short_way():
     a = rotation.exponential([[0, 0, 0], [0, 0, 0.2]])
     b = rotation.exponential([[0, 0, 1.0], [0, 0, 0.2]])

@@ -153,6 +153,14 @@ def test_the_second_variation_knows_the_buckled_column():
         assert bool(sideways < 1e-4) == stable
 
 
+@pytest.mark.parametrize("length", [0.55, 0.64, 0.73, 0.82])
+def test_a_first_mesh_shows_the_bend_radius(table_1, length):
+    """Of order 4 like the position, whose estimate is 1e-5; a signature under a bend radius needs no more than 1e-3."""
+    plain, fine = table_1(length), replace(table_1(length), options=SolveOptions(elements=128))
+    radii = [find_equilibrium(scene).min_bend_radius[0] for scene in (plain, fine)]
+    assert radii[0] == pytest.approx(radii[1], rel=5e-5)
+
+
 def test_a_warm_start_keeps_the_branch_and_is_quick(table_1):
     twisted = table_1(0.73)
     end = twisted.end
