@@ -26,7 +26,7 @@ def quickest(rows: list[Peer], problem: str, peer: str, error: float, start="col
         and r.error is not None
         and r.error <= error
     ]
-    return min(good, key=lambda row: row.seconds, default=None)
+    return min(good, key=lambda row: row.relative, default=None)
 
 
 def best(rows: list[Peer], problem: str, peer: str, start="cold"):
@@ -38,14 +38,14 @@ def best(rows: list[Peer], problem: str, peer: str, start="cold"):
 def against(rows: list[Peer], theirs: Peer | None) -> float | None:
     """Their time over ours at their error, cold."""
     ours = theirs and quickest(rows, theirs.problem, OURS, theirs.error)
-    return theirs.seconds / ours.seconds if ours else None
+    return theirs.relative / ours.relative if ours else None
 
 
 def _each(rows, theirs: list[Peer | None]) -> str:
     """Their times over ours, both quickest at ``ERROR`` or better; and at the errors that they reach with that, which
     may be far less."""
     ours = [quickest(rows, name, OURS, ERROR) for name in NAMES]
-    both = [(t.seconds / o.seconds if t and o else None) for t, o in zip(theirs, ours, strict=True)]
+    both = [t and o and t.relative / o.relative for t, o in zip(theirs, ours, strict=True)]
     reached = [against(rows, t) for t in theirs]
     said, aside = (", ".join(dash(f, ".1f") for f in factors) for factors in (both, reached))
     return said if said == aside else f"{said}; at the errors that it reaches with that {aside}"
@@ -144,7 +144,8 @@ def peers_section():
         "of the right length, or for a beam code straight and led to the task; *answer* is from our solution, which "
         "somebody has to have. The time is that of the solve alone, without importing, compiling and building; ours "
         "holds the error estimate, refinement, stability and the check, which no peer has. *Ratio*: its time over "
-        "ours, cold, at its error. How each is set up: `benchmarks/peers/`."
+        "ours, cold, at its error, both in units of a solve of 0.55 m just before and after. "
+        "How each is set up: `benchmarks/peers/`."
     )
     heads = (
         "problem",

@@ -14,13 +14,15 @@ from ..study import length_tolerance
 from .child import CABLE, Child
 from .obstacles import read_boxes, read_obstacles
 from .property_table import Checked, Prop, wrong
-from .proxy import proxy_of
+from .proxy import in_use, proxy_of
 from .read_held import read_held
 from .read_scene import read_scene
 from .stored_solution import PLACE_DECIMALS, fingerprint
 from .study_sheet import COLUMNS
 
 NOT_RUN = "No results yet; Run Study makes them."
+OLD = "Out of date; Run Study brings it up to date."
+WITHOUT_SHEET = "Its spreadsheet is not there; Run Study writes it anew."
 
 SETTINGS = (
     Prop(
@@ -175,14 +177,19 @@ class Study(Child):
     def set_editor_modes(self, obj):
         obj.setEditorMode("Placement", 2)
 
+    def mustExecute(self, obj):
+        """Also untouched, as it is when its spreadsheet is deleted."""
+        return in_use(obj) and obj.Sheet is None and not obj.OutOfDate
+
     def run(self, obj):
         """A recompute looks whether the study is up to date; ``studying.run`` brings it there."""
         cable = self.linked_cable(obj)
         if not obj.StudiedInputs:
             obj.OutOfDate, obj.Status = True, NOT_RUN
             return
-        obj.OutOfDate = obj.StudiedInputs != inputs(obj, cable, read_studied(obj, cable))
-        obj.Status = "Out of date; Run Study brings it up to date." if obj.OutOfDate else ""
+        changed = obj.StudiedInputs != inputs(obj, cable, read_studied(obj, cable))
+        obj.OutOfDate = changed or obj.Sheet is None
+        obj.Status = OLD if changed else "" if obj.Sheet else WITHOUT_SHEET
 
     def lose(self, obj, gone):
         """``gone`` is being deleted. Without an object it is a property of the cable that is varied, so the path, too,

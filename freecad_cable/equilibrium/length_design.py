@@ -210,7 +210,13 @@ def _infeasible(samples) -> Solution:
     best = max(samples, key=lambda each: each.margin)
     if best.solution is None:
         raise ProblemError("cable.length_mode", f"no length will do: {best.sentence}")
-    longest = samples[-1].length
+    shortest, longest = samples[0].length, samples[-1].length
+    if not best.solved:
+        message = (
+            f"{Status.INFEASIBLE.value} From {shortest:.4g} m to {longest:.4g} m no length was found at which it is in "
+            f"equilibrium. At {best.length:.6g} m: {best.sentence}"
+        )
+        return replace(best.solution, status=Status.INFEASIBLE, message=message)
     message = (
         f"{Status.INFEASIBLE.value} No length up to {longest:.4g} m will do. The best is {best.length:.6g} m, but "
         f"{best.sentence}; a limit that this length keeps, other ends or supports, or a softer cable would help."

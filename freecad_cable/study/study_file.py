@@ -138,6 +138,12 @@ def _cases(scene, data):
     for each in variations:
         each.parameter.at(scene)
     if fields["method"] == "corners":
+        for name in ("count", "seed"):
+            if name in fields:
+                raise ProblemError(
+                    f"{place}.{name}",
+                    "is given beside corners, which are all there are; leave it out",
+                )
         return corners(variations)
     if fields["method"] != "random":
         raise ProblemError(

@@ -1560,6 +1560,10 @@
       <translation>Von {1} mm bis {2} mm hält es seinen Biegeradius nur ein, wenn es dort geformt wird, mit einem Moment von {3} N m</translation>
     </message>
     <message>
+      <source>From {1} to {2} no length was found at which it is in equilibrium. At {3}: {4}</source>
+      <translation>Von {1} bis {2} wurde keine Länge gefunden, bei der es im Gleichgewicht ist. Bei {3}: {4}</translation>
+    </message>
+    <message>
       <source>If {1} than {2}, {3}</source>
       <translation>Wenn {1} als {2}: {3}</translation>
     </message>
@@ -1582,6 +1586,10 @@
     <message>
       <source>Its length is only {1} % above the chord; give it more slack</source>
       <translation>Seine Länge ist nur {1} % größer als der gerade Abstand; ihm mehr Überlänge geben</translation>
+    </message>
+    <message>
+      <source>Its spreadsheet is not there; Run Study writes it anew</source>
+      <translation>Ihre Tabelle ist nicht da; der Befehl „Studie“ schreibt sie neu</translation>
     </message>
     <message>
       <source>Jumps to another equilibrium {1}; its shape changes by {2} of the length</source>

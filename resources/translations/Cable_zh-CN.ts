@@ -1560,6 +1560,10 @@
       <translation>从 {1} mm 到 {2} mm，只有在该处以 {3} N m 的力矩成形，才能满足弯曲半径</translation>
     </message>
     <message>
+      <source>From {1} to {2} no length was found at which it is in equilibrium. At {3}: {4}</source>
+      <translation>从 {1} 到 {2} 没有找到处于平衡的长度。在 {3}：{4}</translation>
+    </message>
+    <message>
       <source>If {1} than {2}, {3}</source>
       <translation>若比 {2} {1}，{3}</translation>
     </message>
@@ -1582,6 +1586,10 @@
     <message>
       <source>Its length is only {1} % above the chord; give it more slack</source>
       <translation>其长度仅比直线距离长 {1} %；请增加余量</translation>
+    </message>
+    <message>
+      <source>Its spreadsheet is not there; Run Study writes it anew</source>
+      <translation>其表格不存在；请用“研究”命令重新写入</translation>
     </message>
     <message>
       <source>Jumps to another equilibrium {1}; its shape changes by {2} of the length</source>

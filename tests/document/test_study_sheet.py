@@ -71,6 +71,16 @@ class TestStudySheet(StudyTest):
         self.assertEqual(self.lengths(sheet=new), ["330", "", "", "", "", ""])
         self.assertEqual(self.lengths(), ["300", "310", "320", "", "", ""])
 
+    def test_one_that_was_deleted_is_missed(self):
+        self.doc.removeObject(self.sheet.Name)
+        self.doc.recompute()
+        self.assertTrue(self.varied.OutOfDate)
+        self.assertIn("spreadsheet is not there", self.varied.Status)
+        self.run_with()
+        self.assertFalse(self.varied.OutOfDate)
+        self.assertEqual(self.varied.Status, "")
+        self.assertEqual(self.lengths(self.varied.Sheet), ["300", "310", "320", "", "", ""])
+
     def test_columns_come_and_go(self):
         self.put(Z1="7")
         self.run_with(Kind="Corners", StiffnessFactor=2.0)

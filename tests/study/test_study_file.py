@@ -69,6 +69,13 @@ def test_a_tolerance(tolerance):
     assert read_study(tolerance, no_file).cases.count == 2
 
 
+@pytest.mark.parametrize("name", ["count", "seed"])
+def test_corners_are_all_there_are(tolerance, name):
+    tolerance["tolerance"] = {"method": "corners", "length": True, name: 3}
+    with pytest.raises(ProblemError, match=f"tolerance.{name}: is given beside corners"):
+        read_study(tolerance, no_file)
+
+
 def test_a_scene_in_a_file_of_its_own(path):
     scene = path.pop("scene")
     study = read_study(path | {"scene": "other.json"}, {"other.json": scene}.__getitem__)

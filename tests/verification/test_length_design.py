@@ -96,6 +96,16 @@ def test_where_no_equilibrium_is_found_it_is_said_and_not_looked_for_closely():
     assert len(asked) <= 10 + 7
 
 
+def test_where_none_is_found_at_all_no_length_is_called_the_best():
+    solve, asked = pretended(lambda length: 1.0, lambda length: True)
+    found = shortest(scene(), solve)
+    assert found.status is Status.INFEASIBLE
+    first, last = (f"{lengths[0]:.4g} m" for lengths in (min(asked), max(asked)))
+    said = f"From {first} to {last} no length was found at which it is in equilibrium."
+    assert found.message.startswith(f"{Status.INFEASIBLE.value} {said} At {asked[0][0]:.6g} m: ")
+    assert found.message.endswith("Nothing was found.")
+
+
 def test_it_may_take_much_more_length_until_there_is_an_equilibrium():
     """The chord is 0.2 m, and the spline that is tried first 0.24 m long."""
     solve, _ = pretended(lambda length: 1.0, lambda length: not 0.4 < length < 0.6)
