@@ -12,8 +12,8 @@ from pathlib import Path
 
 from benchmarks.peers.task import read_task, write
 
-REPEATS = 5
-ENOUGH = 3.0
+REPEATS = 25
+ENOUGH = 1.5
 """[s] after which nothing is repeated"""
 
 

@@ -28,8 +28,8 @@ from freecad_cable.transcription.guess import guess
 PATIENCE = 100.0
 """[s] for a task, importing and repeating included"""
 OURS = "freecad_cable"
-REPEATS = 7
-BESIDE = 12
+REPEATS = 40
+BESIDE = 25
 """Solves of which the quickest tells the machine's pace"""
 FINER = 4
 """Elements of a start for one of the peer's"""
