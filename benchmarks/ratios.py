@@ -35,19 +35,19 @@ def best(rows: list[Peer], problem: str, peer: str, start="cold"):
     return min((r for r in own if r.error is not None), key=lambda row: row.error, default=None)
 
 
-def against(rows: list[Peer], theirs: Peer | None) -> float | None:
-    """Their time over ours at their error, cold."""
-    ours = theirs and quickest(rows, theirs.problem, OURS, theirs.error)
+def against(rows: list[Peer], theirs: Peer | None, error: float | None = None) -> float | None:
+    """Their time over ours at an ``error``, by default that of theirs, cold."""
+    ours = theirs and quickest(rows, theirs.problem, OURS, theirs.error if error is None else error)
     return theirs.relative / ours.relative if ours else None
 
 
 def _each(rows, theirs: list[Peer | None]) -> str:
     """Their times over ours, both quickest at ``ERROR`` or better; and at the errors that they reach with that, which
     may be far less."""
-    ours = [quickest(rows, name, OURS, ERROR) for name in NAMES]
-    both = [t and o and t.relative / o.relative for t, o in zip(theirs, ours, strict=True)]
-    reached = [against(rows, t) for t in theirs]
-    said, aside = (", ".join(dash(f, ".1f") for f in factors) for factors in (both, reached))
+    said, aside = (
+        ", ".join(dash(against(rows, each, error), ".1f") for each in theirs)
+        for error in (ERROR, None)
+    )
     return said if said == aside else f"{said}; at the errors that it reaches with that {aside}"
 
 

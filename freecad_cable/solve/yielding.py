@@ -84,22 +84,23 @@ class YieldingProgram:
         aside = ca.Sparsity.triplet(len(nlp.equality), len(rows), rows.tolist(), range(len(rows)))
         g = per * g - ca.MX(ca.DM(aside, 1)) @ e + ca.if_else(sane, 0, ca.inf)
         (bent_rows, bent_columns), (steep_rows, steep_columns) = nlp.places
-        ones, strain, carried = ca.MX(ca.DM.ones(len(rows), 1)), self._strain, self._carried
-        steep = _pairs(1 / units, carried[steep_rows], units, strain[steep_columns]) * jacobian
+        ones = ca.MX(ca.DM.ones(len(rows), 1))
         jacobian = from_triplets(
             (len(nlp.equality), self.size),
             np.append(steep_rows, rows),
             np.append(self.own[steep_columns], self.yields),
-            ca.vertcat(steep, -ones),
+            ca.vertcat(per[steep_rows.tolist()] * jacobian * unit[steep_columns.tolist()], -ones),
         )
-        bent = _pairs(units, strain[bent_rows], units, strain[bent_columns]) * hessian
-        restoring = ca.if_else(factor == 0, RESTORING, 0)
-        hessian = self._with_diagonal(
+        hessian = from_triplets(
+            (self.size, self.size),
             np.append(self.own[bent_rows], self.yields),
             np.append(self.own[bent_columns], self.yields),
-            ca.vertcat(bent, factor * rigidity * ones),
-            restoring,
+            ca.vertcat(
+                unit[bent_rows.tolist()] * hessian * unit[bent_columns.tolist()],
+                factor * rigidity * ones,
+            ),
         )
+        hessian += ca.if_else(factor == 0, RESTORING, 0) * ca.MX.eye(self.size)
         yielded = ca.dot(price, e) + rigidity / 2 * ca.sumsqr(e)
         f = ca.if_else(sane, energy + yielded, ca.inf)
         self.program = {"x": x, "p": p, "f": f, "g": g}
@@ -110,14 +111,6 @@ class YieldingProgram:
             rows={"g": g, "jac_g_x": jacobian},
             bent={"grad_gamma_x": ca.MX(self.size, 1), "hess_gamma_x_x": hessian},
         )
-
-    def _with_diagonal(self, rows, columns, values, more) -> ca.MX:
-        """A square matrix from its nonzeros, ``more`` added to all of its diagonal."""
-        bare = np.setdiff1d(np.arange(self.size), rows[rows == columns])
-        rows, columns = np.append(rows, bare), np.append(columns, bare)
-        values = ca.vertcat(values, ca.MX(ca.DM.zeros(len(bare), 1)))
-        there = ca.DM((rows == columns).astype(float))
-        return from_triplets((self.size, self.size), rows, columns, values + there * more)
 
     def start(self, x, multipliers, units):
         """(decision vector without yields, multipliers) from those of the ``Nlp``."""
@@ -154,11 +147,6 @@ class YieldingProgram:
         left = (nlp.gradient + nlp.jacobian.T @ (known * lam))[columns]
         slopes = ca.densify(own[:, columns])
         return Numeric(ca.Function("unpriced", [nlp.x, nlp.p, lam], [slopes, left]))
-
-
-def _pairs(left, i, right, j):
-    """left[i] · right[j] for index arrays of many numbers into a few: each product is made once."""
-    return ca.vec(left @ right.T)[(i + left.numel() * j).tolist()]
 
 
 def _largest(values):

@@ -99,11 +99,8 @@ def read_parameter(place, data) -> Parameter:
 
 def _values(path):
     if "values" in path:
-        for name in ("from", "to", "count"):
-            if name in path:
-                raise ProblemError(
-                    f"path.{name}", "is given beside values; give from, to and count, or values"
-                )
+        given = "is given beside values; give from, to and count, or values"
+        _refuse("path", path, ("from", "to", "count"), given)
         values = path["values"]
         if not isinstance(values, list) or not 1 <= len(values) <= MOST:
             raise ProblemError("path.values", f"is {shown(values)}; it must be a list of numbers")
@@ -138,12 +135,8 @@ def _cases(scene, data):
     for each in variations:
         each.parameter.at(scene)
     if fields["method"] == "corners":
-        for name in ("count", "seed"):
-            if name in fields:
-                raise ProblemError(
-                    f"{place}.{name}",
-                    "is given beside corners, which are all there are; leave it out",
-                )
+        given = "is given beside corners, which are all there are; leave it out"
+        _refuse(place, fields, ("count", "seed"), given)
         return corners(variations)
     if fields["method"] != "random":
         raise ProblemError(
@@ -154,6 +147,12 @@ def _cases(scene, data):
             raise ProblemError(f"{place}.{name}", "is missing; cases at random need it")
     count = _whole(f"{place}.count", fields["count"], 1)
     return random_cases(variations, count, fields["seed"])
+
+
+def _refuse(place, data, names, sentence):
+    for name in names:
+        if name in data:
+            raise ProblemError(f"{place}.{name}", sentence)
 
 
 def _each(place, data):
